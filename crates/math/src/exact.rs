@@ -1,0 +1,527 @@
+//! Sums of products without rounding, at every exponent a double has.
+//!
+//! Where a sign decides (which side of a plane, lit or not), rounding must not. Each product of up to three
+//! doubles is an integer times a power of two, so a fixed-point number wide enough for every such product
+//! holds their sum exactly; sign, nearest double and nearest quotient are then read off it.
+
+use core::cmp::Ordering;
+
+use glam::DVec4;
+
+use crate::double_double::{DoubleDouble, UNIT_ROUNDOFF};
+
+/// Weight of the lowest bit: the product of three smallest subnormals, 2⁻¹⁰⁷⁴ each.
+const LOWEST: i32 = -3 * 1074;
+/// 6294 bits reach the product of three times `f64::MAX`; the rest is head-room for sign and carries.
+const LIMBS: usize = 100;
+
+/// An exact sum of products of three doubles.
+///
+/// # Formula
+///
+/// ```text
+/// S = Σ aₖ bₖ cₖ          without any rounding
+/// ```
+///
+/// # Properties
+///
+/// Holds up to 2⁶⁴ products of any finite doubles: no overflow, no underflow. A factor that is NaN or infinite
+/// makes the sum undefined: [`Sum::sign`] is then `None`, [`Sum::to_f64`] NaN.
+///
+/// # Pitfalls
+///
+/// 800 bytes and some 20 ns a product: decide with a rounded value and its error bound first, and come here
+/// only when that leaves doubt.
+///
+/// # Examples
+///
+/// ```
+/// use core::cmp::Ordering;
+/// use ombra_math::exact::Sum;
+///
+/// let huge = 1e300;
+/// let sum = Sum::of(&[[huge, huge, 1.0], [-huge, huge, 1.0], [5e-324, 5e-324, 5e-324]]);
+/// assert_eq!(sum.sign(), Some(Ordering::Greater));
+///
+/// let third = Sum::of(&[[1.0, 1.0, 1.0]]).quotient(&Sum::of(&[[3.0, 1.0, 1.0]]));
+/// assert_eq!(third, 1.0 / 3.0);
+/// ```
+///
+/// # References
+///
+/// In no deck. U. Kulisch, «Computer Arithmetic and Validity», 2013: the long accumulator.
+#[derive(Clone, Debug)]
+pub struct Sum {
+    /// Two's complement, lowest limb first.
+    limbs: [u64; LIMBS],
+    undefined: bool,
+}
+
+impl Default for Sum {
+    fn default() -> Self {
+        Self {
+            limbs: [0; LIMBS],
+            undefined: false,
+        }
+    }
+}
+
+impl Sum {
+    /// The sum of the products of `terms`.
+    #[must_use]
+    pub fn of(terms: &[[f64; 3]]) -> Self {
+        let mut sum = Self::default();
+        for &term in terms {
+            sum.add(term);
+        }
+        sum
+    }
+
+    /// Adds the product of three `factors`.
+    pub fn add(&mut self, factors: [f64; 3]) {
+        if factors.iter().any(|f| !f.is_finite()) {
+            self.undefined = true;
+            return;
+        }
+        let [(ma, ea), (mb, eb), (mc, ec)] = factors.map(integer_and_exponent);
+        if ma == 0 || mb == 0 || mc == 0 {
+            return;
+        }
+        // 53 + 53 + 53 bits, as three limbs, then shifted to their place.
+        let ab = u128::from(ma) * u128::from(mb);
+        let low = u128::from(ab as u64) * u128::from(mc);
+        let high = (ab >> 64) * u128::from(mc) + (low >> 64);
+        let place = (ea + eb + ec - LOWEST) as usize;
+        let (limb, shift) = (place / 64, place % 64);
+        let spread = |x: u128, k: usize| ((x << shift) >> (64 * k)) as u64;
+        let top = (high >> 64) as u64;
+        let words = [
+            spread(u128::from(low as u64), 0),
+            spread(u128::from(low as u64), 1) | spread(u128::from(high as u64), 0),
+            spread(u128::from(high as u64), 1) | spread(u128::from(top), 0),
+            spread(u128::from(top), 1),
+        ];
+        let negative = factors.iter().filter(|f| f.is_sign_negative()).count() % 2 == 1;
+        let mut carry = false;
+        for (i, limb) in self.limbs.iter_mut().skip(limb).enumerate() {
+            let word = words.get(i).copied().unwrap_or(0);
+            if i >= words.len() && !carry {
+                break;
+            }
+            let (x, c1) = if negative {
+                limb.overflowing_sub(word)
+            } else {
+                limb.overflowing_add(word)
+            };
+            let (x, c2) = if negative {
+                x.overflowing_sub(u64::from(carry))
+            } else {
+                x.overflowing_add(u64::from(carry))
+            };
+            *limb = x;
+            carry = c1 || c2;
+        }
+    }
+
+    /// The sign of the sum, or `None` if a factor was not finite.
+    #[must_use]
+    pub fn sign(&self) -> Option<Ordering> {
+        if self.undefined {
+            None
+        } else if self.is_negative() {
+            Some(Ordering::Less)
+        } else if self.limbs.iter().all(|&limb| limb == 0) {
+            Some(Ordering::Equal)
+        } else {
+            Some(Ordering::Greater)
+        }
+    }
+
+    /// The double nearest to the sum, ties to even; ±∞ beyond the largest double, NaN if a factor was not finite.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        if self.undefined {
+            return f64::NAN;
+        }
+        let Some(magnitude) = Magnitude::of(self) else {
+            return 0.0;
+        };
+        magnitude.round(self.is_negative(), magnitude.exponent)
+    }
+
+    /// The sum as f · 2ᵉ with 1 ≤ |f| < 2 or f = 0, so that sums too large or small for a double keep their digits.
+    ///
+    /// f is the nearest such double; NaN if a factor was not finite.
+    #[must_use]
+    pub fn to_scaled(&self) -> (f64, i32) {
+        if self.undefined {
+            return (f64::NAN, 0);
+        }
+        let Some(magnitude) = Magnitude::of(self) else {
+            return (0.0, 0);
+        };
+        let f = magnitude.round(self.is_negative(), 0);
+        // Rounding up 1.11…1 gives 2.
+        if f.abs() == 2.0 {
+            (f / 2.0, magnitude.exponent + 1)
+        } else {
+            (f, magnitude.exponent)
+        }
+    }
+
+    /// The double nearest to this sum divided by `denominator`, ties to even.
+    ///
+    /// Zero over anything but zero is 0; a quotient beyond the largest double is ±∞; by zero, or with a factor
+    /// that was not finite, it is NaN.
+    #[must_use]
+    pub fn quotient(&self, denominator: &Sum) -> f64 {
+        if self.undefined || denominator.undefined {
+            return f64::NAN;
+        }
+        let Some(mut divisor) = Magnitude::of(denominator) else {
+            return f64::NAN;
+        };
+        let Some(mut rest) = Magnitude::of(self) else {
+            return 0.0;
+        };
+        let negative = self.is_negative() != denominator.is_negative();
+        let mut exponent = rest.exponent - divisor.exponent;
+        let used = rest.used.max(divisor.used) + 1;
+        // Both lie in [1, 2) as seen from their first bit. Halve them for a spare bit, then divide as on paper.
+        rest.halve(used);
+        divisor.halve(used);
+        if !rest.reaches(&divisor, used) {
+            rest.double(used);
+            exponent -= 1;
+        }
+        let mut top = 0u64;
+        for _ in 0..64 {
+            top <<= 1;
+            if rest.reaches(&divisor, used) {
+                rest.subtract(&divisor, used);
+                top |= 1;
+            }
+            rest.double(used);
+        }
+        let sticky = rest.limbs.iter().take(used).any(|&limb| limb != 0);
+        round(negative, top, sticky, exponent)
+    }
+
+    fn is_negative(&self) -> bool {
+        self.limbs.last().is_some_and(|&limb| limb >> 63 == 1)
+    }
+}
+
+/// a·b = a₁b₁ + a₂b₂ + a₃b₃ + a₄b₄ as f · 2ᵉ, its sign exact and its relative error at most ε.
+///
+/// # Formula
+///
+/// ```text
+/// π·P = a x + b y + c z + d w        (value f · 2ᵉ: a double of its own could overflow or vanish)
+/// ```
+///
+/// # Properties
+///
+/// f = 0 exactly where a·b = 0; (NaN, 0) if a coordinate is not finite. Ordinary coordinates take some 30 ns and
+/// e = 0; only cancellation beyond 2⁻⁴⁰ or extreme exponents go to the exact sum.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::exact::dot;
+/// use ombra_math::glam::DVec4;
+///
+/// let (plane, point) = (DVec4::new(0.1, 0.2, -0.3, 0.0), DVec4::new(1.0, 1.0, 1.0, 1.0));
+/// assert_eq!(dot(plane, point).0.signum(), 1.0); // 0.1 + 0.2 > 0.3 as doubles, by 2⁻⁵⁵ only
+/// ```
+#[must_use]
+pub fn dot(a: DVec4, b: DVec4) -> (f64, i32) {
+    let (a, b) = (a.to_array(), b.to_array());
+    if a.iter().chain(&b).all(|&x| DoubleDouble::in_range(x)) {
+        let (value, bound) = dot_in_double_double(a, b);
+        // Rounded once more, a value with 64 right bits is within 1 ε.
+        if value.hi.abs() * (UNIT_ROUNDOFF / 2048.0) > bound {
+            return (value.hi, 0);
+        }
+    }
+    let mut sum = Sum::default();
+    for (x, y) in a.into_iter().zip(b) {
+        sum.add([x, y, 1.0]);
+    }
+    sum.to_scaled()
+}
+
+/// a·b for coordinates in range, with a bound of its error.
+pub(crate) fn dot_in_double_double(a: [f64; 4], b: [f64; 4]) -> (DoubleDouble, f64) {
+    let mut value = DoubleDouble::default();
+    let mut size = 0.0;
+    for (x, y) in a.into_iter().zip(b) {
+        let product = DoubleDouble::product(x, y);
+        value = value + product;
+        size += product.hi.abs();
+    }
+    // Three additions, 3u² of at most `size` each; 16 leaves room for the rounding of `size`.
+    (value, 16.0 * UNIT_ROUNDOFF * UNIT_ROUNDOFF * size)
+}
+
+/// |S| from its first bit on: highest limb *first*, the first bit set.
+struct Magnitude {
+    limbs: [u64; LIMBS + 1],
+    /// Limbs from the first to the last that is not zero.
+    used: usize,
+    /// Weight of the first bit, as a power of two.
+    exponent: i32,
+}
+
+impl Magnitude {
+    /// `None` for zero.
+    fn of(sum: &Sum) -> Option<Self> {
+        let mut absolute = sum.limbs;
+        if sum.is_negative() {
+            let mut carry = true;
+            for limb in &mut absolute {
+                let (x, c) = (!*limb).overflowing_add(u64::from(carry));
+                *limb = x;
+                carry = c;
+            }
+        }
+        let highest = absolute.iter().rposition(|&limb| limb != 0)?;
+        let lowest = absolute.iter().position(|&limb| limb != 0)?;
+        let shift = absolute.get(highest)?.leading_zeros();
+        let mut limbs = [0; LIMBS + 1];
+        let pairs = absolute[..=highest]
+            .iter()
+            .rev()
+            .zip(absolute[..highest].iter().rev().chain([&0]));
+        for (to, (&limb, &next)) in limbs.iter_mut().zip(pairs) {
+            *to = (((u128::from(limb) << 64 | u128::from(next)) << shift) >> 64) as u64;
+        }
+        let exponent = LOWEST + 64 * highest as i32 + 63 - shift as i32;
+        Some(Self {
+            limbs,
+            used: highest - lowest + 1,
+            exponent,
+        })
+    }
+
+    /// The value with its first bit's weight put at 2^`exponent`, rounded to the nearest double.
+    fn round(&self, negative: bool, exponent: i32) -> f64 {
+        let sticky = self.limbs.iter().skip(1).any(|&limb| limb != 0);
+        round(negative, self.limbs[0], sticky, exponent)
+    }
+
+    fn halve(&mut self, used: usize) {
+        let mut carry = 0;
+        for limb in self.limbs.iter_mut().take(used) {
+            (*limb, carry) = (carry << 63 | *limb >> 1, *limb & 1);
+        }
+    }
+
+    fn double(&mut self, used: usize) {
+        let mut carry = 0;
+        for limb in self.limbs.iter_mut().take(used).rev() {
+            (*limb, carry) = (*limb << 1 | carry, *limb >> 63);
+        }
+    }
+
+    fn reaches(&self, other: &Self, used: usize) -> bool {
+        self.limbs
+            .iter()
+            .take(used)
+            .ge(other.limbs.iter().take(used))
+    }
+
+    fn subtract(&mut self, other: &Self, used: usize) {
+        let mut borrow = false;
+        for (limb, &word) in self.limbs.iter_mut().zip(&other.limbs).take(used).rev() {
+            let (x, b1) = limb.overflowing_sub(word);
+            let (x, b2) = x.overflowing_sub(u64::from(borrow));
+            *limb = x;
+            borrow = b1 || b2;
+        }
+    }
+}
+
+/// |x| = m · 2ᵉ with an integer m below 2⁵³.
+fn integer_and_exponent(x: f64) -> (u64, i32) {
+    let bits = x.to_bits();
+    let fraction = bits & ((1 << 52) - 1);
+    match (bits >> 52 & 0x7ff) as i32 {
+        0 => (fraction, -1074),
+        biased => (fraction | 1 << 52, biased - 1075),
+    }
+}
+
+/// Nearest double, ties to even, of a number whose first 64 bits are `top` (first bit set, of weight
+/// 2^`exponent`) and which goes on below them if `sticky`.
+fn round(negative: bool, top: u64, sticky: bool, exponent: i32) -> f64 {
+    let sign = if negative { -1.0 } else { 1.0 };
+    // A subnormal keeps fewer bits.
+    let kept = 53 - (-1022 - exponent).max(0);
+    if exponent > 1023 {
+        return sign * f64::INFINITY;
+    }
+    if kept < 0 {
+        return sign * 0.0;
+    }
+    let dropped = 64 - kept;
+    let half = 1u128 << (dropped - 1);
+    let (mut integer, rest) = (u128::from(top) >> dropped, u128::from(top) & (2 * half - 1));
+    if rest > half || (rest == half && (sticky || integer & 1 == 1)) {
+        integer += 1;
+    }
+    sign * libm::scalbn(integer as f64, exponent - 63 + dropped)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+    use proptest::prelude::*;
+
+    fn rational(terms: &[[f64; 3]]) -> BigRational {
+        terms
+            .iter()
+            .map(|t| {
+                t.iter()
+                    .map(|&x| BigRational::from_float(x).unwrap())
+                    .product::<BigRational>()
+            })
+            .sum()
+    }
+
+    /// Brute force: no double is nearer to `exact` than `x`, and on a tie x is even.
+    fn is_nearest(x: f64, exact: &BigRational) -> bool {
+        let zero = BigRational::from_integer(BigInt::from(0));
+        let distance = |y: f64| {
+            // Beyond the largest double, ∞ stands for 2¹⁰²⁴.
+            let y = if y.is_infinite() {
+                BigRational::from_float(f64::MAX).unwrap() * BigInt::from(y.signum() as i32)
+                    + BigRational::from_float(libm::scalbn(y.signum(), 970)).unwrap()
+                        * BigInt::from(2)
+            } else {
+                BigRational::from_float(y).unwrap()
+            };
+            let d = y - exact;
+            if d < zero { -d } else { d }
+        };
+        let d = distance(x);
+        if x.is_infinite() {
+            return d <= distance(f64::MAX.copysign(x)) || {
+                let beyond = if *exact < zero {
+                    -exact.clone()
+                } else {
+                    exact.clone()
+                };
+                beyond > BigRational::from_float(f64::MAX).unwrap()
+            };
+        }
+        [x.next_up(), x.next_down()].into_iter().all(|y| {
+            let e = distance(y);
+            d < e || (d == e && x.to_bits() & 1 == 0)
+        })
+    }
+
+    /// Any finite double, every exponent alike, often with few significant bits so that ties happen.
+    fn finite() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            3 => proptest::num::f64::ANY.prop_filter("finite", |x| x.is_finite()),
+            1 => (-1i32..=1, -1074i32..=1023, 0u32..8).prop_map(|(s, e, m)| {
+                libm::scalbn(f64::from(s) * (1.0 + f64::from(m) / 8.0), e)
+            }),
+            1 => (-100i32..100).prop_map(f64::from),
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(512))]
+
+        #[test]
+        fn sign_and_rounding_are_exact(terms in prop::collection::vec([finite(), finite(), finite()], 0..6)) {
+            let (sum, exact) = (Sum::of(&terms), rational(&terms));
+            let zero = BigRational::from_integer(BigInt::from(0));
+            prop_assert_eq!(sum.sign(), Some(exact.cmp(&zero)));
+            let x = sum.to_f64();
+            prop_assert!(is_nearest(x, &exact), "{x:e}");
+            let (f, e) = sum.to_scaled();
+            let unit = if e >= 0 {
+                BigRational::from_integer(BigInt::from(1) << e as usize)
+            } else {
+                BigRational::new(BigInt::from(1), BigInt::from(1) << (-e) as usize)
+            };
+            prop_assert!(f == 0.0 || (1.0..2.0).contains(&f.abs()));
+            prop_assert!(is_nearest(f, &(exact / unit)), "{f:e}");
+        }
+
+        #[test]
+        fn quotients_are_nearest(a in prop::collection::vec([finite(), finite(), finite()], 1..5),
+                                 b in prop::collection::vec([finite(), finite(), finite()], 1..5)) {
+            let (n, d) = (rational(&a), rational(&b));
+            prop_assume!(d != BigRational::from_integer(BigInt::from(0)));
+            let q = Sum::of(&a).quotient(&Sum::of(&b));
+            prop_assert!(is_nearest(q, &(n / d)), "{q:e}");
+        }
+
+        #[test]
+        fn one_over_another_is_the_hardware_quotient(a in finite(), b in finite()) {
+            prop_assume!(b != 0.0);
+            prop_assert_eq!(Sum::of(&[[a, 1.0, 1.0]]).quotient(&Sum::of(&[[b, 1.0, 1.0]])), a / b);
+        }
+
+        #[test]
+        fn one_product_of_two_is_the_hardware_product(a in finite(), b in finite()) {
+            prop_assert_eq!(Sum::of(&[[a, b, 1.0]]).to_f64(), a * b);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn dots_have_the_sign_and_an_epsilon(a in [finite(), finite(), finite(), finite()],
+                                             b in [finite(), finite(), finite(), finite()], near in any::<bool>()) {
+            let mut b = b;
+            if near {
+                let rest = -(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / a[3];
+                if rest.is_finite() {
+                    b[3] = rest;
+                }
+            }
+            let terms: Vec<_> = a.iter().zip(&b).map(|(&x, &y)| [x, y, 1.0]).collect();
+            let expected = rational(&terms);
+            let (f, e) = dot(DVec4::from_array(a), DVec4::from_array(b));
+            let zero = BigRational::from_integer(BigInt::from(0));
+            prop_assert_eq!(f.partial_cmp(&0.0), Some(expected.cmp(&zero)));
+            let two = BigRational::from_integer(BigInt::from(2));
+            let error = BigRational::from_float(f).unwrap() * two.pow(e) - &expected;
+            let bound = BigRational::from_float(f64::EPSILON).unwrap() * &expected;
+            prop_assert!(&error * &error <= &bound * &bound);
+        }
+    }
+
+    #[test]
+    fn huge_cancels_and_tiny_remains() {
+        let tiny = [5e-324, 5e-324, -5e-324];
+        let sum = Sum::of(&[[f64::MAX; 3], tiny, [-f64::MAX, f64::MAX, f64::MAX]]);
+        assert_eq!(sum.sign(), Some(Ordering::Less));
+        assert_eq!(sum.to_f64(), 0.0);
+        assert_eq!(sum.to_scaled(), (-1.0, LOWEST));
+    }
+
+    #[test]
+    fn degenerate() {
+        let one = Sum::of(&[[1.0; 3]]);
+        assert_eq!(Sum::of(&[]).sign(), Some(Ordering::Equal));
+        assert_eq!(Sum::of(&[]).to_f64(), 0.0);
+        assert_eq!(Sum::of(&[]).to_scaled(), (0.0, 0));
+        assert_eq!(Sum::of(&[[f64::MAX; 3]]).to_f64(), f64::INFINITY);
+        assert_eq!(Sum::of(&[]).quotient(&one), 0.0);
+        assert!(one.quotient(&Sum::of(&[])).is_nan());
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let sum = Sum::of(&[[1.0, bad, 0.0]]);
+            assert_eq!(sum.sign(), None);
+            assert!(
+                sum.to_f64().is_nan() && sum.quotient(&one).is_nan() && one.quotient(&sum).is_nan()
+            );
+        }
+    }
+}

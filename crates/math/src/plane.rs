@@ -1,0 +1,461 @@
+//! Planes n·X + d = 0: what light falls on and polygons are clipped against.
+//!
+//! The normal need not be a unit vector, so the slides' integer planes stay integers. Which side a point lies
+//! on is decided exactly.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/plane.svg"))]
+
+use core::cmp::Ordering;
+
+use glam::{DVec3, DVec4};
+
+use crate::exact::{Sum, dot};
+use crate::homogeneous::point;
+
+/// The points X with n·X + d = 0.
+///
+/// # Formula
+///
+/// ```text
+/// n·X + d = a x + b y + c z + d = 0        n = (a, b, c), of any length but 0
+/// d = −n·Q                                 for a point Q of the plane
+/// ```
+///
+/// # Properties
+///
+/// Any multiple of the coefficients is the same plane; a negative one turns its front to the other side.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::DVec3;
+/// use ombra_math::plane::Plane;
+///
+/// let wall = Plane::through(DVec3::new(0.0, 0.0, -40.0), DVec3::new(0.0, 0.0, 2.0)).unwrap();
+/// assert_eq!(wall.d, 80.0);
+/// assert_eq!(wall.signed_distance(DVec3::new(5.0, 7.0, -37.0)), 3.0);
+/// ```
+///
+/// # References
+///
+/// Bologna, «Ombre su piani», general case; Olomouc, «Projekce na libovolnou plochu».
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// n = (a, b, c), towards the plane's front.
+    pub normal: DVec3,
+    /// d = −n·Q.
+    pub d: f64,
+}
+
+impl Plane {
+    /// The ground of the lectures' examples, y = 0, seen from above.
+    pub const GROUND: Self = Self {
+        normal: DVec3::Y,
+        d: 0.0,
+    };
+
+    /// The plane through `point` with the given `normal`, or `None` if there is none: the normal is zero, a
+    /// coordinate is not finite, or d is beyond the largest double.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// d = −n·Q
+    /// ```
+    ///
+    /// # Properties
+    ///
+    /// d is the double nearest to −n·Q, also where its three products cancel.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_math::glam::DVec3;
+    /// use ombra_math::plane::Plane;
+    ///
+    /// assert_eq!(Plane::through(DVec3::ZERO, DVec3::Y), Some(Plane::GROUND));
+    /// assert_eq!(Plane::through(DVec3::ZERO, DVec3::ZERO), None);
+    /// ```
+    ///
+    /// # References
+    ///
+    /// Bologna, «Ombre su piani», general case.
+    #[must_use]
+    pub fn through(point: DVec3, normal: DVec3) -> Option<Self> {
+        let dot = Sum::of(&[
+            [-normal.x, point.x, 1.0],
+            [-normal.y, point.y, 1.0],
+            [-normal.z, point.z, 1.0],
+        ]);
+        let plane = Self {
+            normal,
+            d: dot.to_f64(),
+        };
+        (plane.d.is_finite() && normal != DVec3::ZERO).then_some(plane)
+    }
+
+    /// The plane of the triangle a b c, its front where they run counter-clockwise, or `None` for a triangle
+    /// without one: collinear or coinciding points, a coordinate that is not finite.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// n = AB × AC          d = −n·A
+    /// ```
+    ///
+    /// # Properties
+    ///
+    /// Whether the points are collinear is decided exactly, and each coordinate of n is the nearest double. Where
+    /// n or d would leave the range of doubles, the plane is scaled by a power of two.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_math::glam::{DVec3, DVec4};
+    /// use ombra_math::plane::Plane;
+    ///
+    /// let (a, b, c) = (DVec3::ZERO, DVec3::new(10.0, 0.0, 5.0), DVec3::new(3.0, 2.0, 5.0));
+    /// let plane = Plane::of_triangle(a, b, c).unwrap();
+    /// assert_eq!(plane.coefficients(), DVec4::new(-10.0, -35.0, 20.0, 0.0));
+    /// ```
+    ///
+    /// # References
+    ///
+    /// Olomouc, «Flat shading», first example.
+    #[must_use]
+    pub fn of_triangle(a: DVec3, b: DVec3, c: DVec3) -> Option<Self> {
+        // (b − a) × (c − a) = a×b + b×c + c×a, so no difference is rounded; d = −det(a, b, c).
+        let component = |i: usize, j: usize| {
+            let minor = |p: DVec3, q: DVec3| [[p[i], q[j], 1.0], [-p[j], q[i], 1.0]];
+            Sum::of(&[minor(a, b), minor(b, c), minor(c, a)].concat())
+        };
+        let determinant = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
+            .map(|(i, j, k)| [[-a[i], b[j], c[k]], [a[i], b[k], c[j]]])
+            .concat();
+        let sums = [
+            component(1, 2),
+            component(2, 0),
+            component(0, 1),
+            Sum::of(&determinant),
+        ];
+        if sums.iter().any(|sum| sum.sign().is_none()) {
+            return None;
+        }
+        let plain = sums.each_ref().map(Sum::to_f64);
+        let lost =
+            |(sum, &x): (&Sum, &f64)| !(x.is_normal() || sum.sign() == Some(Ordering::Equal));
+        let [x, y, z, d] = if sums.iter().zip(&plain).any(lost) {
+            // Bring the largest coefficient to the exponent 0.
+            let scaled = sums.each_ref().map(Sum::to_scaled);
+            let top = scaled
+                .iter()
+                .filter(|(f, _)| *f != 0.0)
+                .map(|&(_, e)| e)
+                .max()
+                .unwrap_or(0);
+            scaled.map(|(f, e)| libm::scalbn(f, e - top))
+        } else {
+            plain
+        };
+        let normal = DVec3::new(x, y, z);
+        (normal != DVec3::ZERO).then_some(Self { normal, d })
+    }
+
+    /// The Euclidean distance of `p` from the plane, positive in front of it.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// (n·p + d) / ‖n‖
+    /// ```
+    ///
+    /// # Properties
+    ///
+    /// The sign is right for finite input, and the relative error at most 4ε, also where n·p and d cancel and for
+    /// normals of any length. NaN if a coordinate of `p` or of the plane is not finite or the normal is zero.
+    ///
+    /// # Pitfalls
+    ///
+    /// Without the division the value grows with the normal's length: a sign, not a distance.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_math::glam::DVec3;
+    /// use ombra_math::plane::Plane;
+    ///
+    /// let plane = Plane { normal: DVec3::new(0.0, 3.0, 4.0), d: -5.0 };
+    /// assert_eq!(plane.signed_distance(DVec3::ZERO), -1.0);
+    /// ```
+    ///
+    /// # References
+    ///
+    /// Bologna, «Ombre su piani», general case.
+    #[must_use]
+    pub fn signed_distance(&self, p: DVec3) -> f64 {
+        let largest = self.normal.abs().max_element();
+        if largest == 0.0 || !largest.is_finite() {
+            return f64::NAN;
+        }
+        let scale = -libm::ilogb(largest);
+        let length =
+            DVec3::from_array(self.normal.to_array().map(|x| libm::scalbn(x, scale))).length();
+        let (value, exponent) = dot(self.coefficients(), point(p));
+        libm::scalbn(value / length, exponent + scale)
+    }
+
+    /// Which side `p` lies on: `Greater` in front, `Equal` exactly on the plane, `Less` behind; `None` if a
+    /// coordinate is not finite.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// sign(n·p + d)
+    /// ```
+    ///
+    /// # Properties
+    ///
+    /// Exact for all finite input, from subnormal to `f64::MAX`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use core::cmp::Ordering;
+    /// use ombra_math::glam::DVec3;
+    /// use ombra_math::plane::Plane;
+    ///
+    /// assert_eq!(Plane::GROUND.side(DVec3::new(1e300, 5e-324, 0.0)), Some(Ordering::Greater));
+    /// assert_eq!(Plane::GROUND.side(DVec3::NAN), None);
+    /// ```
+    #[must_use]
+    pub fn side(&self, p: DVec3) -> Option<Ordering> {
+        dot(self.coefficients(), point(p)).0.partial_cmp(&0.0)
+    }
+
+    /// The plane moved by `distance` towards its front.
+    ///
+    /// # Formula
+    ///
+    /// ```text
+    /// d' = d − distance ‖n‖
+    /// ```
+    ///
+    /// # Properties
+    ///
+    /// What a shadow polygon needs so that it does not fight with its receiver for the same depth: cast it onto the
+    /// receiver's plane moved by the bias towards the light.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_math::glam::DVec3;
+    /// use ombra_math::plane::Plane;
+    ///
+    /// assert_eq!(Plane::GROUND.offset(0.5).signed_distance(DVec3::ZERO), -0.5);
+    /// ```
+    ///
+    /// # References
+    ///
+    /// Olomouc, «Projekční metody», the shadow polygon above or below its plane; Croatian 8.4, projected shadows
+    /// (bias).
+    #[must_use]
+    pub fn offset(&self, distance: f64) -> Self {
+        Self {
+            normal: self.normal,
+            d: self.d - distance * self.normal.length(),
+        }
+    }
+
+    /// The same plane with its front on the other side.
+    #[must_use]
+    pub fn turned(&self) -> Self {
+        Self {
+            normal: -self.normal,
+            d: -self.d,
+        }
+    }
+
+    /// The plane as a 4-vector π = (a, b, c, d), so that π·P = 0 for homogeneous points P of the plane.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_math::glam::DVec4;
+    /// use ombra_math::plane::Plane;
+    ///
+    /// assert_eq!(Plane::GROUND.coefficients(), DVec4::Y);
+    /// ```
+    ///
+    /// # References
+    ///
+    /// Bologna, «Ombre su piani in WebGL».
+    #[must_use]
+    pub const fn coefficients(&self) -> DVec4 {
+        DVec4::new(self.normal.x, self.normal.y, self.normal.z, self.d)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+    use proptest::prelude::*;
+
+    fn exact(x: f64) -> BigRational {
+        BigRational::from_float(x).unwrap()
+    }
+
+    fn value(plane: &Plane, p: DVec3) -> BigRational {
+        let n = plane.normal;
+        exact(n.x) * exact(p.x) + exact(n.y) * exact(p.y) + exact(n.z) * exact(p.z) + exact(plane.d)
+    }
+
+    fn number() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            (-1.0..1.0f64, -1000..1000i32).prop_map(|(m, e)| libm::scalbn(m, e)),
+            (-1.0..1.0f64, -40..40i32).prop_map(|(m, e)| libm::scalbn(m, e)),
+            (-9i32..9).prop_map(f64::from),
+        ]
+    }
+
+    fn vector() -> impl Strategy<Value = DVec3> {
+        [number(), number(), number()].prop_map(DVec3::from_array)
+    }
+
+    /// A plane, and a point that often lies within a few ulps of it.
+    fn plane_and_point() -> impl Strategy<Value = (Plane, DVec3)> {
+        (vector(), number(), vector(), any::<bool>(), -4i64..4).prop_map(
+            |(normal, d, mut p, near, ulps)| {
+                if near {
+                    let y = -(normal.x * p.x + normal.z * p.z + d) / normal.y;
+                    if y.is_normal() {
+                        p.y = f64::from_bits(y.to_bits().wrapping_add_signed(ulps));
+                    }
+                }
+                (Plane { normal, d }, p)
+            },
+        )
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        #[test]
+        fn sides_are_exact((plane, p) in plane_and_point()) {
+            prop_assume!(p.is_finite());
+            let zero = BigRational::from_integer(BigInt::from(0));
+            prop_assert_eq!(plane.side(p), Some(value(&plane, p).cmp(&zero)));
+        }
+
+        #[test]
+        fn distances_are_within_4_epsilon((plane, p) in plane_and_point()) {
+            prop_assume!(p.is_finite() && plane.normal != DVec3::ZERO);
+            let distance = plane.signed_distance(p);
+            prop_assume!(distance == 0.0 || distance.is_normal());
+            // (n·p + d)² = distance² n·n without a root.
+            let n = plane.normal;
+            let nn = exact(n.x) * exact(n.x) + exact(n.y) * exact(n.y) + exact(n.z) * exact(n.z);
+            let v = value(&plane, p);
+            let difference = exact(distance) * exact(distance) * &nn - &v * &v;
+            let zero = BigRational::from_integer(BigInt::from(0));
+            let difference = if difference < zero { -difference } else { difference };
+            prop_assert!(difference <= exact(8.0 * f64::EPSILON) * &v * &v, "{distance:e}");
+            prop_assert_eq!(distance > 0.0, v > zero);
+        }
+
+        #[test]
+        fn a_plane_holds_its_triangle(a in vector(), b in vector(), c in vector()) {
+            // The exact normal, without the cancelled form the function uses.
+            let e = |p: DVec3| p.to_array().map(exact);
+            let (a_, b_, c_) = (e(a), e(b), e(c));
+            let ab: Vec<_> = (0..3).map(|i| &b_[i] - &a_[i]).collect();
+            let ac: Vec<_> = (0..3).map(|i| &c_[i] - &a_[i]).collect();
+            let cross: Vec<_> = (0..3).map(|i| {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                &ab[j] * &ac[k] - &ab[k] * &ac[j]
+            }).collect();
+            let zero = BigRational::from_integer(BigInt::from(0));
+            match Plane::of_triangle(a, b, c) {
+                None => prop_assert!(cross.iter().all(|x| *x == zero)),
+                Some(plane) => {
+                    // Parallel and of one direction, to the rounding of each coordinate; scaling keeps ratios.
+                    let n = plane.normal.to_array();
+                    let largest = (0..3).max_by(|&i, &j| n[i].abs().total_cmp(&n[j].abs())).unwrap();
+                    let scale = exact(n[largest]) / &cross[largest];
+                    prop_assert!(scale > zero);
+                    for i in 0..3 {
+                        let expected = &cross[i] * &scale;
+                        let error = exact(n[i]) - &expected;
+                        let bound = &expected * exact(2.0 * f64::EPSILON);
+                        // A coordinate 10³⁰⁰ times smaller than the largest may be subnormal.
+                        let floor = exact(f64::from_bits(1));
+                        let square = &bound * &bound + &floor * &floor;
+                        prop_assert!(&error * &error <= square, "{i}: {:e}", n[i]);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn degenerate() {
+        let x = DVec3::X;
+        for (point, normal) in [
+            (DVec3::ZERO, DVec3::ZERO),
+            (DVec3::NAN, x),
+            (DVec3::INFINITY, x),
+            (DVec3::ZERO, DVec3::NAN),
+            (DVec3::ZERO, DVec3::INFINITY),
+            (DVec3::splat(f64::MAX), DVec3::splat(2.0)),
+        ] {
+            assert_eq!(Plane::through(point, normal), None, "{point} {normal}");
+        }
+        for [a, b, c] in [
+            [DVec3::ZERO; 3],
+            [DVec3::ZERO, x, 2.0 * x],
+            [x, x, DVec3::Y],
+            [x * f64::MAX, x, DVec3::ZERO],
+            [DVec3::NAN, x, DVec3::Y],
+            [DVec3::INFINITY, x, DVec3::Y],
+        ] {
+            assert_eq!(Plane::of_triangle(a, b, c), None, "{a} {b} {c}");
+        }
+        let huge =
+            Plane::of_triangle(x * f64::MAX, DVec3::Y * f64::MAX, DVec3::Z * f64::MAX).unwrap();
+        assert_eq!(huge.normal.x, huge.normal.y);
+        assert_eq!(huge.normal.y, huge.normal.z);
+        assert!(Plane::of_triangle(x * 5e-324, DVec3::Y * 5e-324, DVec3::Z * 5e-324).is_some());
+        assert!(
+            Plane {
+                normal: DVec3::ZERO,
+                d: 1.0
+            }
+            .signed_distance(x)
+            .is_nan()
+        );
+        assert!(Plane::GROUND.signed_distance(DVec3::NAN).is_nan());
+        assert_eq!(Plane::GROUND.side(DVec3::INFINITY), None);
+        let unnormalised = Plane {
+            normal: DVec3::Y * 1e300,
+            d: -1e300,
+        };
+        assert_eq!(unnormalised.signed_distance(DVec3::new(0.0, 3.0, 0.0)), 2.0);
+        let tiny = Plane {
+            normal: DVec3::Y * 5e-324,
+            d: 0.0,
+        };
+        assert_eq!(tiny.signed_distance(DVec3::new(1e300, -1e300, 0.0)), -1e300);
+    }
+
+    #[test]
+    fn turned_planes_answer_opposite() {
+        let plane = Plane {
+            normal: DVec3::new(1.0, 2.0, 3.0),
+            d: 4.0,
+        };
+        let p = DVec3::new(3.0, -1.0, 7.0);
+        assert_eq!(plane.turned().signed_distance(p), -plane.signed_distance(p));
+        assert_eq!(plane.side(p), plane.turned().side(p).map(Ordering::reverse));
+    }
+}

@@ -1,0 +1,495 @@
+//! Triangles: normal, area, barycentric coordinates, and the face normal that vertex normals give.
+//!
+//! A triangle A, B, C runs counter-clockwise as seen from its front. A component of its normal decides whether
+//! a face is seen or lit, so each one has the exact sign: what rounding could have spoilt is summed again by
+//! [`crate::exact`].
+
+use crate::exact::Sum;
+use glam::DVec3;
+
+/// Normal of the triangle A, B, C: twice its area long, towards whoever sees A, B, C run counter-clockwise.
+///
+/// # Formula
+///
+/// ```text
+/// n = AB × AC          AB = b − a,  AC = c − a
+/// ```
+///
+/// # Properties
+///
+/// Each component is within 2⁻⁴¹ of itself, and so has the exact sign, 0 only where it is 0. The normal of a
+/// degenerate triangle is zero. Which corner comes first does not matter; exchanging two turns it over.
+///
+/// # Pitfalls
+///
+/// Not of unit length. Its components are products of two lengths: with sides beyond 10¹⁵⁴ they are ±∞, below
+/// 10⁻¹⁶² they are 0; [`area`] and [`barycentric`] have no such limits. A corner that is not finite gives NaN.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::DVec3;
+/// use ombra_math::triangle::normal;
+///
+/// let n = normal(DVec3::ZERO, DVec3::new(10.0, 0.0, 5.0), DVec3::new(3.0, 2.0, 5.0));
+/// assert_eq!(n, DVec3::new(-10.0, -35.0, 20.0));
+/// ```
+///
+/// # References
+///
+/// Olomouc, «Flat shading», first example.
+#[must_use]
+pub fn normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
+    let [x, y, z] = CYCLE.map(|ij| {
+        let [a, b, c] = [a, b, c].map(|p| pick(p, ij));
+        cross_plain(difference(b, a), difference(c, a))
+            .unwrap_or_else(|| cross_exact(a, b, c).to_f64())
+    });
+    DVec3::new(x, y, z)
+}
+
+/// Area of the triangle A, B, C.
+///
+/// # Formula
+///
+/// ```text
+/// area = |AB × AC| / 2
+/// ```
+///
+/// # Properties
+///
+/// Within 2⁻⁴⁰ of itself wherever a double holds it, needles and corners at 10³⁰⁰ included; 0 exactly for a
+/// degenerate triangle (the nearest subnormal, perhaps 0, below 10⁻³⁰⁸). NaN for a corner that is not finite.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::DVec3;
+/// use ombra_math::triangle::area;
+///
+/// assert_eq!(area(DVec3::ZERO, DVec3::X * 1e300, DVec3::Y * 1e-300), 0.5);
+/// ```
+///
+/// # References
+///
+/// Olomouc, «Flat shading»: half the length of the vector product.
+#[must_use]
+pub fn area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let (n, exponent) = scaled_normal(a, b, c);
+    libm::scalbn(n.length(), exponent - 1)
+}
+
+/// Barycentric coordinates (α, β, γ) of the point of the triangle's plane nearest to `p`, so that it is αA + βB + γC.
+///
+/// # Formula
+///
+/// ```text
+/// n = AB × AC
+/// α = (PB × PC)·n / n·n      β = (AP × AC)·n / n·n      γ = (AB × AP)·n / n·n
+/// ```
+///
+/// # Properties
+///
+/// α + β + γ = 1 but for rounding. All three are ≥ 0 inside and on the border; on the line of a side, the
+/// coordinate of the corner opposite is 0, and at a corner the coordinates are 1, 0, 0 exactly. Each is within
+/// 2⁻³⁹·|w|/|n| of the exact one, w its own vector product; scaling all four points changes nothing.
+///
+/// # Pitfalls
+///
+/// A point above or below the plane has the coordinates of its projection: the answer does not tell whether
+/// `p` lies in the plane. On a needle, a small step across it changes the coordinates a lot.
+///
+/// # Errors
+///
+/// `None` for a degenerate triangle (exactly collinear corners), a point that is not finite, and coordinates
+/// beyond what a double holds.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::DVec3;
+/// use ombra_math::triangle::barycentric;
+///
+/// let [a, b, c] = [DVec3::ZERO, DVec3::X * 4.0, DVec3::Y * 4.0];
+/// let above = DVec3::new(1.0, 2.0, 9.0);
+/// assert_eq!(barycentric(above, a, b, c), Some(DVec3::new(0.25, 0.25, 0.5)));
+/// assert_eq!(barycentric(above, a, b, b), None);
+/// ```
+///
+/// # References
+///
+/// Olomouc, «Gouraud shading»: the interpolation of vertex values, here in one step.
+#[must_use]
+pub fn barycentric(p: DVec3, a: DVec3, b: DVec3, c: DVec3) -> Option<DVec3> {
+    let (n, exponent) = scaled_normal(a, b, c);
+    if n == DVec3::ZERO {
+        return None;
+    }
+    let share = |[a, b, c]: [DVec3; 3]| {
+        let (w, e) = scaled_normal(a, b, c);
+        libm::scalbn(w.dot(n) / n.length_squared(), e - exponent)
+    };
+    let coordinates = DVec3::new(share([p, b, c]), share([a, p, c]), share([a, b, p]));
+    coordinates.is_finite().then_some(coordinates)
+}
+
+/// Unit normal of a face from the normals of its three corners.
+///
+/// # Formula
+///
+/// ```text
+/// n = N / |N|          N = n_A/|n_A| + n_B/|n_B| + n_C/|n_C|
+/// ```
+///
+/// # Properties
+///
+/// The lengths of the given normals do not matter, nor does their order.
+///
+/// # Pitfalls
+///
+/// The slide's normals are not all of unit length: their plain mean favours the long ones, and made unit it is
+/// (0.7071, 0.7071, 0) instead of (0.6071, 0.7947, 0). Where the three nearly cancel, rounding
+/// picks the direction.
+///
+/// # Errors
+///
+/// `None` if a normal is zero or not finite, or if the three cancel.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::DVec3;
+/// use ombra_math::triangle::face_normal;
+///
+/// let n = face_normal([DVec3::X, DVec3::new(0.5, 1.0, 0.0), DVec3::new(0.0, 0.5, 0.0)]).unwrap();
+/// let to_four_digits = DVec3::new(0.6071, 0.7947, 0.0);
+/// assert!((n - to_four_digits).abs().max_element() <= 0.5e-4);
+/// ```
+///
+/// # References
+///
+/// Olomouc, «Flat shading», second example.
+#[must_use]
+pub fn face_normal(vertex_normals: [DVec3; 3]) -> Option<DVec3> {
+    let [a, b, c] = vertex_normals.map(unit);
+    unit(a? + b? + c?)
+}
+
+/// `v` made unit length, whatever its scale; `None` if it is zero or not finite.
+pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
+    let (v, _) = normalised(v);
+    (v.is_finite() && v != DVec3::ZERO).then(|| v / v.length())
+}
+
+/// The vector AB × AC as v · 2ᵉ, the largest component of v between 1 and 2 or zero.
+pub(crate) fn scaled_normal(a: DVec3, b: DVec3, c: DVec3) -> (DVec3, i32) {
+    scaled(CYCLE.map(|ij| {
+        let [a, b, c] = [a, b, c].map(|p| pick(p, ij));
+        cross_plain(difference(b, a), difference(c, a))
+            .map_or_else(|| cross_exact(a, b, c).to_scaled(), |x| (x, 0))
+    }))
+}
+
+/// The vector (to − from) × v as a scaled vector, each component the nearest double.
+pub(crate) fn scaled_cross(from: DVec3, to: DVec3, v: DVec3) -> (DVec3, i32) {
+    scaled(CYCLE.map(|ij| {
+        let [[fi, fj], [ti, tj], [vi, vj]] = [from, to, v].map(|p| pick(p, ij));
+        Sum::of(&[[ti, vj, 1.0], [-fi, vj, 1.0], [-tj, vi, 1.0], [fj, vi, 1.0]]).to_scaled()
+    }))
+}
+
+/// The two coordinates whose products make the x, y and z of a vector product.
+const CYCLE: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
+
+fn pick(p: DVec3, [i, j]: [usize; 2]) -> [f64; 2] {
+    [p[i], p[j]]
+}
+
+fn difference(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
+    [p[0] - q[0], p[1] - q[1]]
+}
+
+/// uᵢ vⱼ − uⱼ vᵢ of rounded differences where that is within 2⁻⁴¹ of the exact value.
+///
+/// Each product carries at most three rounding errors of 2⁻⁵³ and the subtraction one more, together below
+/// 2⁻⁵¹·(|uᵢvⱼ| + |uⱼvᵢ|); products that underflow are left to the exact sum.
+fn cross_plain([ui, uj]: [f64; 2], [vi, vj]: [f64; 2]) -> Option<f64> {
+    const NO_UNDERFLOW: f64 = f64::MIN_POSITIVE * (1u64 << 60) as f64;
+    const CANCELLED: f64 = 1.0 / 1024.0;
+    let (p, q) = (ui * vj, uj * vi);
+    let (cross, size) = (p - q, p.abs() + q.abs());
+    let zero = |x: f64, y: f64| x == 0.0 && y.is_finite() || y == 0.0 && x.is_finite();
+    if (NO_UNDERFLOW..f64::INFINITY).contains(&size) && cross.abs() >= CANCELLED * size {
+        Some(cross)
+    } else if zero(ui, vj) && zero(uj, vi) {
+        Some(0.0)
+    } else {
+        None
+    }
+}
+
+fn cross_exact(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sum {
+    let [[ai, aj], [bi, bj], [ci, cj]] = [a, b, c];
+    Sum::of(&[
+        [ai, bj, 1.0],
+        [-aj, bi, 1.0],
+        [bi, cj, 1.0],
+        [-bj, ci, 1.0],
+        [ci, aj, 1.0],
+        [-cj, ai, 1.0],
+    ])
+}
+
+/// Brings components x · 2ᵉ to one exponent.
+fn scaled(components: [(f64, i32); 3]) -> (DVec3, i32) {
+    // Far below the largest one, a component is lost together with its digits.
+    let exponent = components
+        .iter()
+        .filter(|(x, _)| *x != 0.0 && x.is_finite())
+        .map(|&(x, e)| libm::ilogb(x) + e)
+        .max()
+        .unwrap_or(0);
+    let [x, y, z] = components.map(|(x, e)| libm::scalbn(x, e - exponent));
+    (DVec3::new(x, y, z), exponent)
+}
+
+/// `v` as u · 2ᵉ with the largest component of u between 1 and 2.
+fn normalised(v: DVec3) -> (DVec3, i32) {
+    scaled(v.to_array().map(|x| (x, 0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+    use proptest::num::f64::ANY;
+    use proptest::prelude::*;
+
+    fn rational(x: f64) -> BigRational {
+        BigRational::from_float(x).unwrap()
+    }
+
+    fn exact_cross(a: DVec3, b: DVec3, c: DVec3) -> [BigRational; 3] {
+        let [a, b, c] = [a, b, c].map(|p| p.to_array().map(rational));
+        CYCLE.map(|[i, j]| (&b[i] - &a[i]) * (&c[j] - &a[j]) - (&b[j] - &a[j]) * (&c[i] - &a[i]))
+    }
+
+    /// |x − exact| ≤ bound.
+    fn within(x: f64, exact: &BigRational, bound: &BigRational) -> bool {
+        let error = rational(x) - exact;
+        error <= *bound && -error <= *bound
+    }
+
+    fn power(e: i32) -> BigRational {
+        BigRational::from_integer(BigInt::from(2)).pow(e)
+    }
+
+    /// Coordinates with exponents over the range in which products are normal numbers.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        (-1.0f64..1.0, -400i32..400).prop_map(|(m, e)| libm::scalbn(m, e))
+    }
+
+    fn point() -> impl Strategy<Value = DVec3> {
+        [coordinate(), coordinate(), coordinate()].prop_map(DVec3::from_array)
+    }
+
+    fn near(scale: f64) -> impl Strategy<Value = DVec3> {
+        [-1.0..1.0, -1.0..1.0, -1.0..1.0].prop_map(move |p| DVec3::from_array(p) * scale)
+    }
+
+    /// A third of the triangles are collinear up to 10⁻¹² or exactly.
+    fn triangle() -> impl Strategy<Value = [DVec3; 3]> {
+        prop_oneof![
+            [point(), point(), point()],
+            [near(1.0), near(1.0), near(1.0)],
+            (
+                near(1.0),
+                near(1.0),
+                -2.0..2.0,
+                prop_oneof![Just(0.0), Just(1e-12), Just(1e-16)],
+                near(1.0)
+            )
+                .prop_map(|(a, d, t, off, by)| [a, a + d, a + d * t + by * off]),
+        ]
+    }
+
+    const A: DVec3 = DVec3::ZERO;
+    const B: DVec3 = DVec3::new(10.0, 0.0, 5.0);
+    const C: DVec3 = DVec3::new(3.0, 2.0, 5.0);
+
+    #[test]
+    fn the_lectures_normal() {
+        assert_eq!(normal(A, B, C), DVec3::new(-10.0, -35.0, 20.0));
+        assert_eq!(normal(B, C, A), DVec3::new(-10.0, -35.0, 20.0));
+        assert_eq!(normal(A, C, B), DVec3::new(10.0, 35.0, -20.0));
+        // 10² + 35² + 20² = 1725; one rounding each in root and scaling.
+        assert!((area(A, B, C) - 1725f64.sqrt() / 2.0).abs() <= 2.0 * f64::EPSILON * 21.0);
+    }
+
+    /// Errata E14: (cos 0 + cos t, sin t + 1) with tan t = 2, so (1 + 1/√5, 2/√5 + 1), made unit.
+    #[test]
+    fn the_lectures_face_normal() {
+        let given = [
+            DVec3::X,
+            DVec3::new(0.5, 1.0, 0.0),
+            DVec3::new(0.0, 0.5, 0.0),
+        ];
+        let root = 5f64.sqrt();
+        let right = DVec3::new(1.0 + 1.0 / root, 2.0 / root + 1.0, 0.0).normalize();
+        let slide = DVec3::new(0.5, 0.5, 0.0).normalize();
+        let n = face_normal(given).unwrap();
+        assert!((n - right).length() <= 4.0 * f64::EPSILON);
+        assert!((n - slide).length() > 0.12);
+    }
+
+    #[test]
+    fn huge_and_tiny() {
+        // A right angle with legs 3s and 4s.
+        for s in [1e-300, 1e-150, 1.0, 1e150, 1e300] {
+            let [a, b, c] = [
+                DVec3::splat(s),
+                DVec3::splat(s) + DVec3::X * (3.0 * s),
+                DVec3::splat(s) + DVec3::Y * (4.0 * s),
+            ];
+            let p = (a + b + c) / 3.0;
+            let middle = barycentric(p, a, b, c).unwrap();
+            // p is rounded at the scale s.
+            assert!(
+                (middle - DVec3::splat(1.0 / 3.0)).length() <= 8.0 * f64::EPSILON,
+                "{s}: {middle}"
+            );
+            let n = face_normal([b - a, b - a, c - a]).unwrap();
+            // (1, 1/2) made unit of 3s and 4s: twice X, once Y.
+            assert!((n - DVec3::new(2.0, 1.0, 0.0).normalize()).length() <= 4.0 * f64::EPSILON);
+        }
+        assert!(
+            (area(DVec3::ZERO, DVec3::X * 3e150, DVec3::Y * 4e150) / 6e300 - 1.0).abs()
+                <= 4.0 * f64::EPSILON
+        );
+        assert_eq!(
+            area(DVec3::ZERO, DVec3::X * 1e300, DVec3::Y * 1e300),
+            f64::INFINITY
+        );
+        assert_eq!(
+            normal(DVec3::ZERO, DVec3::X * 1e300, DVec3::Y * 1e300),
+            DVec3::new(0.0, 0.0, f64::INFINITY)
+        );
+    }
+
+    #[test]
+    fn degenerate() {
+        let (inf, nan) = (f64::INFINITY, f64::NAN);
+        let collinear = [DVec3::splat(0.1), DVec3::splat(0.2), DVec3::splat(0.7)];
+        let cases = [
+            ("one place", [DVec3::ONE; 3], Some(0.0)),
+            ("two places", [DVec3::ONE, DVec3::ONE, DVec3::X], Some(0.0)),
+            ("collinear", collinear, Some(0.0)),
+            (
+                "the whole range",
+                [DVec3::splat(-f64::MAX), DVec3::splat(f64::MAX), DVec3::ZERO],
+                Some(0.0),
+            ),
+            (
+                "subnormal",
+                [DVec3::ZERO, DVec3::X * 5e-324, DVec3::Y * 5e-324],
+                Some(0.0),
+            ),
+            ("infinite", [DVec3::ZERO, DVec3::X * inf, DVec3::Y], None),
+            ("NaN", [DVec3::ZERO, DVec3::splat(nan), DVec3::Y], None),
+        ];
+        for (name, [a, b, c], expected) in cases {
+            let size = area(a, b, c);
+            assert!(
+                expected.map_or(size.is_nan(), |e| size == e),
+                "{name}: {size}"
+            );
+            if name == "subnormal" {
+                // A triangle all the same, though no double holds its area.
+                assert_eq!(barycentric(DVec3::ZERO, a, b, c), Some(DVec3::X), "{name}");
+            } else {
+                assert_eq!(barycentric(DVec3::ZERO, a, b, c), None, "{name}");
+            }
+        }
+        assert_eq!(barycentric(DVec3::splat(nan), A, B, C), None);
+        for normals in [
+            [DVec3::X, DVec3::ZERO, DVec3::Y],
+            [DVec3::splat(nan), DVec3::X, DVec3::X],
+            [DVec3::X * inf, DVec3::X, DVec3::X],
+        ] {
+            assert_eq!(face_normal(normals), None);
+        }
+        let third = DVec3::new(-1.0, 0.0, 0.0);
+        assert!(face_normal([DVec3::X, third, DVec3::Y]).is_some());
+        assert_eq!(unit(DVec3::X + third), None);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1500))]
+
+        #[test]
+        fn normal_is_near_the_exact_one([a, b, c] in triangle()) {
+            let exact = exact_cross(a, b, c);
+            for (x, exact) in normal(a, b, c).to_array().into_iter().zip(&exact) {
+                let size = if *exact < rational(0.0) { -exact } else { exact.clone() };
+                prop_assert!(within(x, exact, &(size * power(-41))), "{x}");
+            }
+        }
+
+        #[test]
+        fn area_is_near_the_exact_one([a, b, c] in triangle()) {
+            let four_squared: BigRational = exact_cross(a, b, c).iter().map(|x| x * x).sum();
+            let squared = rational(area(a, b, c)).pow(2) * BigInt::from(4);
+            // Within 2⁻⁴⁰ of itself, squared within 2⁻³⁹ and a little.
+            let bound = &four_squared * power(-38);
+            prop_assert!(squared <= &four_squared + &bound && squared >= &four_squared - &bound);
+        }
+
+        #[test]
+        fn barycentric_gives_the_projection([a, b, c] in triangle(), p in near(1.0)) {
+            let n = exact_cross(a, b, c);
+            let n_n: BigRational = n.iter().map(|x| x * x).sum();
+            let Some(found) = barycentric(p, a, b, c) else {
+                // Only a degenerate triangle or a coordinate that no double holds has none.
+                let huge = [(p, b, c), (a, p, c), (a, b, p)].iter().any(|&(a, b, c)| {
+                    let w = exact_cross(a, b, c);
+                    let dot: BigRational = w.iter().zip(&n).map(|(x, y)| x * y).sum();
+                    dot.pow(2) >= n_n.pow(2) * power(2046)
+                });
+                prop_assert!(n_n == rational(0.0) || huge);
+                return Ok(());
+            };
+            for (x, (a, b, c)) in found.to_array().into_iter().zip([(p, b, c), (a, p, c), (a, b, p)]) {
+                let w = exact_cross(a, b, c);
+                let dot: BigRational = w.iter().zip(&n).map(|(x, y)| x * y).sum();
+                let w_w: BigRational = w.iter().map(|x| x * x).sum();
+                // (x − dot/n·n)² ≤ (2⁻³⁹ |w|/|n|)², the subnormal step aside.
+                let error = rational(x) - dot / &n_n;
+                prop_assert!(error.pow(2) <= w_w / &n_n * power(-78) + power(-2148));
+            }
+        }
+
+        #[test]
+        fn mixing_the_corners_comes_back(weights in [0.0..1.0f64, 0.0..1.0, 0.0..1.0], h in -3.0..3.0) {
+            let total: f64 = weights.iter().sum();
+            prop_assume!(total > 0.1);
+            let [s, t, u] = weights.map(|w| w / total);
+            let n = normal(A, B, C).normalize();
+            let found = barycentric(A * s + B * t + C * u + n * h, A, B, C).unwrap();
+            // p and its height are rounded at size 12; |side|/|n| is below 0.3 here.
+            prop_assert!((found - DVec3::new(s, t, u)).abs().max_element() <= 16.0 * f64::EPSILON);
+        }
+
+        #[test]
+        fn never_panics(p in [ANY; 12]) {
+            let [a, b, c, q] = [0, 3, 6, 9].map(|i| DVec3::from_slice(&p[i..]));
+            let _ = (normal(a, b, c), area(a, b, c), scaled_cross(a, b, c));
+            if let Some(n) = face_normal([a, b, c]) {
+                prop_assert!((n.length() - 1.0).abs() <= 4.0 * f64::EPSILON);
+            }
+            if let Some(x) = barycentric(q, a, b, c) {
+                prop_assert!(x.is_finite());
+            }
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! The lecture's formulas in plain doubles: fast, and wrong where digits cancel.
+
+use ombra_math::glam::{DVec3, DVec4};
+use ombra_math::plane::Plane;
+use ombra_math::work::{Count, Counter};
+
+use super::exact_cast::towards_place;
+
+/// The shadow of `v` by the quotient form in plain doubles, or `None` where there is none.
+///
+/// # Formula
+///
+/// ```text
+/// P = (s V − t L) / (s − L_w t)        s = π·L,  t = n·V + d
+/// ```
+///
+/// # Properties
+///
+/// The nearest double where the products are exact, as for the lectures' integers. Otherwise the error is up to
+/// some 8 ε (|s V| + |t L|) / |s − L_w t|, which is large where those cancel: use [`cast`](super::cast()) there.
+/// Decisions are made on the rounded s, t and s − L_w t.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::{DVec3, DVec4};
+/// use ombra_math::plane::Plane;
+/// use ombra_shadows::planar::cast_by_quotient;
+///
+/// let light = DVec4::new(0.0, 100.0, 100.0, 1.0);
+/// let shadow = cast_by_quotient(Plane::GROUND, light, DVec3::new(0.0, 20.0, 0.0));
+/// assert_eq!(shadow, Some(DVec3::new(0.0, 0.0, -25.0)));
+/// ```
+///
+/// # References
+///
+/// Bologna, «Ombre su piani»; Olomouc, «Zdroj světla v bodě».
+#[must_use]
+pub fn cast_by_quotient(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    cast_by_quotient_counted(plane, light, v, &mut ())
+}
+
+/// [`cast_by_quotient`], counting its arithmetic.
+#[must_use]
+pub fn cast_by_quotient_counted(
+    plane: Plane,
+    light: DVec4,
+    v: DVec3,
+    work: &mut impl Count,
+) -> Option<DVec3> {
+    let light = towards_place(light);
+    let (s, t) = heights(plane, light, v, work);
+    let w = s - light.w * t;
+    work.add(Counter::Multiplications, 1);
+    work.add(Counter::Additions, 1);
+    if !casts(s, t, w) {
+        return None;
+    }
+    let p = (s * v - t * light.truncate()) / w;
+    work.add(Counter::Multiplications, 6);
+    work.add(Counter::Additions, 3);
+    work.add(Counter::Divisions, 3);
+    p.is_finite().then_some(p)
+}
+
+/// The shadow of `v` by the parameter along its ray, in plain doubles, or `None` where there is none.
+///
+/// # Formula
+///
+/// ```text
+/// light at a place:       P = L + k (V − L)        k = (n·L + d) / (n·(L − V))
+/// light at infinity:      P = V − k L              k = (n·V + d) / (n·L)
+/// ```
+///
+/// # Properties
+///
+/// k is rounded before it is used, so the result is not the nearest double even for the lectures' integers: within
+/// 2 ulp there. The error grows with the light's distance, ε |k (V − L)|: far lights lose the most.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::{DVec3, DVec4};
+/// use ombra_math::plane::Plane;
+/// use ombra_shadows::planar::cast_by_parameter;
+///
+/// let light = DVec4::new(0.0, 100.0, 100.0, 1.0);
+/// let shadow = cast_by_parameter(Plane::GROUND, light, DVec3::new(0.0, 20.0, 0.0));
+/// assert_eq!(shadow, Some(DVec3::new(0.0, 0.0, -25.0)));
+/// ```
+///
+/// # References
+///
+/// Bologna, «Ombre su piani», general case; Olomouc, «Zdroj v nekonečnu», «Projekce na libovolnou plochu».
+#[must_use]
+pub fn cast_by_parameter(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    cast_by_parameter_counted(plane, light, v, &mut ())
+}
+
+/// [`cast_by_parameter`], counting its arithmetic.
+#[must_use]
+pub fn cast_by_parameter_counted(
+    plane: Plane,
+    light: DVec4,
+    v: DVec3,
+    work: &mut impl Count,
+) -> Option<DVec3> {
+    let light = towards_place(light);
+    let (s, t) = heights(plane, light, v, work);
+    let w = s - light.w * t;
+    work.add(Counter::Multiplications, 1);
+    work.add(Counter::Additions, 1);
+    if !casts(s, t, w) {
+        return None;
+    }
+    let p = if light.w == 0.0 {
+        let k = t / s;
+        work.add(Counter::Multiplications, 3);
+        work.add(Counter::Additions, 3);
+        work.add(Counter::Divisions, 1);
+        v - k * light.truncate()
+    } else {
+        let place = light.truncate() / light.w;
+        let k = s / w;
+        work.add(Counter::Multiplications, 3);
+        work.add(Counter::Additions, 6);
+        work.add(Counter::Divisions, 4);
+        place + k * (v - place)
+    };
+    p.is_finite().then_some(p)
+}
+
+/// s = π·L and t = n·V + d.
+fn heights(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) -> (f64, f64) {
+    work.add(Counter::Vertices, 1);
+    work.add(Counter::Multiplications, 7);
+    work.add(Counter::Additions, 6);
+    (
+        plane.coefficients().dot(light),
+        plane.normal.dot(v) + plane.d,
+    )
+}
+
+/// A true shadow: the vertex on the light's side of the plane or on it, and nearer to it than the light.
+fn casts(s: f64, t: f64, w: f64) -> bool {
+    if s < 0.0 {
+        t <= 0.0 && w < 0.0
+    } else {
+        s > 0.0 && t >= 0.0 && w > 0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::cast;
+    use super::*;
+    use ombra_math::work::Work;
+    use proptest::prelude::*;
+
+    type Form = fn(Plane, DVec4, DVec3) -> Option<DVec3>;
+    const FORMS: [Form; 2] = [cast_by_quotient, cast_by_parameter];
+
+    proptest! {
+        /// Far from any cancellation both forms are good: the stated bound, against the correctly rounded answer.
+        #[test]
+        fn ordinary_scenes(x in prop::array::uniform3(-10.0..10.0f64), h in 0.0..10.0f64,
+                           l in prop::array::uniform3(-10.0..10.0f64), w in 0u8..2) {
+            let light = DVec4::new(l[0], l[1].abs() + 20.0, l[2], w.into());
+            let v = DVec3::new(x[0], h, x[2]);
+            let expected = cast(Plane::GROUND, light, v).unwrap();
+            // s ≤ 30, |V| ≤ 10, t ≤ 10, |L| ≤ 30, denominator ≥ 10.
+            let bound = 8.0 * f64::EPSILON * (30.0 * 10.0 + 10.0 * 30.0) / 10.0;
+            for form in FORMS {
+                let p = form(Plane::GROUND, light, v).unwrap();
+                prop_assert!((p - expected).abs().max_element() <= bound, "{} {}", p, expected);
+            }
+        }
+
+        #[test]
+        fn never_panics(x in prop::collection::vec(proptest::num::f64::ANY, 11)) {
+            let plane = Plane { normal: DVec3::new(x[0], x[1], x[2]), d: x[3] };
+            let light = DVec4::new(x[4], x[5], x[6], x[7]);
+            for form in FORMS {
+                let shadow = form(plane, light, DVec3::new(x[8], x[9], x[10]));
+                prop_assert!(shadow.is_none_or(|p| p.is_finite()));
+            }
+        }
+    }
+
+    #[test]
+    fn no_false_shadows() {
+        let lamp = DVec4::new(0.0, 10.0, 0.0, 1.0);
+        for form in FORMS {
+            for (light, y) in [
+                (lamp, -1.0),
+                (lamp, 10.0),
+                (lamp, 11.0),
+                (DVec4::Y, -1.0),
+                (DVec4::X, 1.0),
+            ] {
+                assert_eq!(
+                    form(Plane::GROUND, light, DVec3::Y * y),
+                    None,
+                    "{light} {y}"
+                );
+                assert_eq!(
+                    form(Plane::GROUND.turned(), light, DVec3::Y * y),
+                    None,
+                    "{light} {y}"
+                );
+            }
+            assert_eq!(form(Plane::GROUND, -lamp, DVec3::Y), Some(DVec3::ZERO));
+            assert_eq!(form(Plane::GROUND, -DVec4::Y, -DVec3::Y), Some(DVec3::ZERO));
+        }
+    }
+
+    #[test]
+    fn counted_work_is_that_of_the_formulas() {
+        let (lamp, sun) = (DVec4::new(0.0, 10.0, 0.0, 1.0), DVec4::Y);
+        let mut work = Work::default();
+        let _ = cast_by_quotient_counted(Plane::GROUND, lamp, DVec3::Y, &mut work);
+        assert_eq!(
+            (work.vertices, work.multiplications, work.divisions),
+            (1, 14, 3)
+        );
+        let mut work = Work::default();
+        let _ = cast_by_parameter_counted(Plane::GROUND, sun, DVec3::Y, &mut work);
+        assert_eq!(
+            (work.vertices, work.multiplications, work.divisions),
+            (1, 11, 1)
+        );
+    }
+}
