@@ -1,0 +1,169 @@
+//! The display list that both SVG and PNG are written from.
+//!
+//! Lengths are thousandths of the canvas's shorter side, so a figure holds at any size; the origin is the upper left
+//! corner, x points right, y down. Coordinates are rounded to hundredths when they enter the list ([`round`]), so that
+//! both writers see the same numbers and the bytes are the same on every machine.
+
+use ombra_math::glam::DVec2;
+
+use crate::colour::Ink;
+use crate::path::{Path, Rect};
+use crate::style::Style;
+use crate::text::Line;
+
+/// Line width of grids, rays and dashes.
+pub const THIN: f64 = 2.5;
+/// Line width of what the figure is about.
+pub const NORMAL: f64 = 4.0;
+/// Line width of what is to be seen first.
+pub const EMPHASIS: f64 = 7.0;
+/// Free border of the canvas.
+pub const MARGIN: f64 = 40.0;
+/// Width of the rim of paper around a label.
+pub const HALO: f64 = 5.0;
+
+/// What fills an area or colours a line.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Paint {
+    /// One ink.
+    Solid(Ink),
+    /// Inks along a line.
+    Linear {
+        /// Where offset 0 lies.
+        from: DVec2,
+        /// Where offset 1 lies.
+        to: DVec2,
+        /// Offsets in 0..=1, rising, with their inks.
+        stops: Vec<(f64, Ink)>,
+    },
+    /// Inks from a centre outwards.
+    Radial {
+        /// Where offset 0 lies.
+        centre: DVec2,
+        /// Distance of offset 1.
+        radius: f64,
+        /// Offsets in 0..=1, rising, with their inks.
+        stops: Vec<(f64, Ink)>,
+    },
+}
+
+impl<T: Into<Ink>> From<T> for Paint {
+    fn from(ink: T) -> Paint {
+        Paint::Solid(ink.into())
+    }
+}
+
+/// Which points of a path with several contours are inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FillRule {
+    /// Those that contours wind around at all.
+    NonZero,
+    /// Those that contours cross an odd number of times on the way out.
+    EvenOdd,
+}
+
+/// How a line is drawn; ends and corners are round.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pen {
+    /// Its colour.
+    pub paint: Paint,
+    /// Its width.
+    pub width: f64,
+    /// Lengths of dash and gap; round ends make the dash longer by the width.
+    pub dash: Option<(f64, f64)>,
+}
+
+impl Pen {
+    /// A full line.
+    pub fn new(paint: impl Into<Paint>, width: f64) -> Pen {
+        Pen {
+            paint: paint.into(),
+            width,
+            dash: None,
+        }
+    }
+
+    /// The same line dashed, in the house's one rhythm.
+    pub fn dashed(self) -> Pen {
+        Pen {
+            dash: Some((9.0, 11.0)),
+            ..self
+        }
+    }
+
+    /// The same line dotted.
+    pub fn dotted(self) -> Pen {
+        Pen {
+            dash: Some((0.01, 10.0)),
+            ..self
+        }
+    }
+}
+
+/// One thing drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Item {
+    /// An outline, filled, stroked or both.
+    Shape {
+        /// The outline.
+        path: Path,
+        /// What fills it.
+        fill: Option<(Paint, FillRule)>,
+        /// What is drawn along it, above the filling.
+        stroke: Option<Pen>,
+    },
+    /// A label.
+    Text {
+        /// Its letters.
+        line: Line,
+        /// Start of its baseline.
+        at: DVec2,
+        /// Their colour.
+        ink: Ink,
+        /// Whether a rim of paper runs around them.
+        halo: bool,
+    },
+}
+
+/// Where a label lies, for tests that no two meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LabelBox {
+    /// Its extent, rim included.
+    pub bounds: Rect,
+    /// Its smallest letters.
+    pub smallest: f64,
+    /// What it says.
+    pub text: String,
+}
+
+/// A figure ready to be written: [`crate::svg::svg`], [`crate::png::png`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// The figure's id, `shadows/cube-infinity`.
+    pub id: String,
+    /// One line that says what it shows.
+    pub title: String,
+    /// What it was drawn for.
+    pub style: Style,
+    /// Width and height in thousandths of the shorter side.
+    pub canvas: DVec2,
+    /// From the back to the front.
+    pub items: Vec<Item>,
+    /// Where its labels lie.
+    pub labels: Vec<LabelBox>,
+}
+
+/// To hundredths, with −0 and what is not finite made 0.
+pub fn round(p: DVec2) -> DVec2 {
+    DVec2::new(round_length(p.x), round_length(p.y))
+}
+
+/// To hundredths, with −0 and what is not finite made 0.
+pub fn round_length(length: f64) -> f64 {
+    let rounded = (length * 100.0).round() / 100.0;
+    if rounded.is_finite() {
+        rounded + 0.0
+    } else {
+        0.0
+    }
+}

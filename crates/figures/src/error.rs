@@ -1,0 +1,135 @@
+//! Why a figure could not be drawn, in one sentence that names the offending value.
+
+use core::fmt;
+
+/// What was wrong with a figure's options, its object, its labels or the place it should be written to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FigureError {
+    /// An option has a value it does not know.
+    UnknownValue {
+        /// The option, as typed: `--theme`.
+        option: &'static str,
+        /// What was given.
+        value: String,
+        /// The values it takes.
+        allowed: String,
+    },
+    /// A size that is no picture, or one too large to draw.
+    Size {
+        /// What was given.
+        value: String,
+    },
+    /// No figure and no lecture has this name.
+    UnknownFigure {
+        /// What was given.
+        pattern: String,
+        /// Every lecture and figure there is.
+        allowed: String,
+    },
+    /// `--light` or `--plane` is not four finite numbers that mean a light or a plane.
+    Numbers {
+        /// The option, as typed: `--light`.
+        option: &'static str,
+        /// What was given.
+        value: String,
+        /// What it takes.
+        allowed: &'static str,
+    },
+    /// An object could not be read from a file.
+    Object {
+        /// The file's name as given.
+        file: String,
+        /// What is wrong with it and what is allowed.
+        reason: String,
+    },
+    /// The object, light and plane together leave nothing to draw.
+    Scene {
+        /// What is wrong, with its values.
+        reason: String,
+    },
+    /// The embedded typeface cannot be read.
+    Font,
+    /// The embedded typeface lacks a character.
+    MissingGlyph {
+        /// The character.
+        character: char,
+        /// The label it stands in.
+        text: String,
+    },
+    /// A label's markup does not parse.
+    Markup {
+        /// The label.
+        text: String,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+    /// A label found no free place on the canvas.
+    NoRoom {
+        /// The label.
+        text: String,
+    },
+    /// A value of a chart cannot be drawn on its axis.
+    Chart {
+        /// What is wrong, with its value.
+        reason: String,
+    },
+    /// A file or folder could not be written.
+    Write {
+        /// Its path.
+        path: String,
+        /// What the system said.
+        reason: String,
+    },
+}
+
+impl fmt::Display for FigureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::UnknownValue {
+                option,
+                value,
+                allowed,
+            } => write!(f, "{option} cannot be '{value}': it is one of {allowed}"),
+            Self::Size { value } => write!(
+                f,
+                "--size cannot be '{value}': it is WIDTHxHEIGHT in pixels, each side from {} to {}, at most {} pixels \
+                 in all, and no side more than 4 times the other",
+                crate::style::Size::SIDES.start(),
+                crate::style::Size::SIDES.end(),
+                crate::style::Size::MOST_PIXELS,
+            ),
+            Self::UnknownFigure { pattern, allowed } => {
+                write!(
+                    f,
+                    "there is no figure or lecture '{pattern}': there are {allowed}"
+                )
+            }
+            Self::Numbers {
+                option,
+                value,
+                allowed,
+            } => write!(f, "{option} cannot be '{value}': it is {allowed}"),
+            Self::Object { file, reason } => write!(f, "--mesh {file}: {reason}"),
+            Self::Scene { reason } => f.write_str(reason),
+            Self::Font => f.write_str("the embedded typeface cannot be read"),
+            Self::MissingGlyph { character, text } => write!(
+                f,
+                "the label '{text}' has the character '{character}' (U+{:04X}), which the figures' typeface lacks",
+                u32::from(*character)
+            ),
+            Self::Markup { text, reason } => {
+                write!(f, "the label '{text}' does not parse: {reason}")
+            }
+            Self::NoRoom { text } => {
+                write!(
+                    f,
+                    "the label '{text}' finds no free place: choose a wider canvas or move what it labels"
+                )
+            }
+            Self::Chart { reason } => f.write_str(reason),
+            Self::Write { path, reason } => write!(f, "{path} cannot be written: {reason}"),
+        }
+    }
+}
+
+impl core::error::Error for FigureError {}

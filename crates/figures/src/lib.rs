@@ -1,0 +1,76 @@
+//! The drawing kit of the course and its figures.
+//!
+//! A figure is a function from a [`style::Style`] and an instructor's own [`figure::Inputs`] to a [`drawing::Drawing`]:
+//! one display list that SVG and PNG are both written from, so that they agree. The bytes are the same on every run and
+//! machine.
+//!
+//! ```
+//! use ombra_figures::figure::{Inputs, select};
+//! use ombra_figures::style::{Style, Theme};
+//! use ombra_figures::{png, svg};
+//!
+//! let style = Style { theme: Theme::Dark, size: "640x360".parse()?, ..Style::default() };
+//! for figure in select(&["shadows/cube-infinity"])? {
+//!     let drawing = figure.draw(&style, &Inputs::default())?;
+//!     assert!(svg::svg(&drawing)?.starts_with("<svg "));
+//!     assert!(png::png(&drawing)?.starts_with(b"\x89PNG"));
+//! }
+//! # Ok::<(), ombra_figures::error::FigureError>(())
+//! ```
+//!
+//! # From the outside
+//!
+//! | module | what it is for |
+//! | --- | --- |
+//! | [`figure`] | the list of figures, choosing among them, light, plane and object from the command line |
+//! | [`style`] | size, theme, language, background, text form, caption |
+//! | [`object`] | built-in solids and OBJ files, checked |
+//! | [`write`](mod@write) | files written whole or not at all |
+//! | [`gallery`] | `index.html` |
+//! | [`docs`] | the small SVGs committed beside the crates |
+//! | [`chart`] | charts for studies |
+//!
+//! # Drawing a figure
+//!
+//! Lengths are thousandths of the canvas's shorter side, from the upper left corner, y down. A figure draws on a
+//! [`sheet::Sheet`], from the back to the front, in the ink of a [`colour::Role`], and asks for [`sheet::Label`]s,
+//! which find their places when it is finished. Add it to the list in [`figure::figures`] and its words to
+//! [`labels::Key`]; the tests over all figures then cover it.
+//!
+//! | module | what it holds |
+//! | --- | --- |
+//! | [`sheet`] | shapes, fixed text, labels |
+//! | [`marks`] | sun, parallel arrows, eye, points, arrows, rays, normals |
+//! | [`space`] | the house perspective, ground grid, axes, meshes |
+//! | [`number`] | exact fractions |
+//! | [`text`], [`font`] | markup, layout, the embedded typeface |
+//! | [`place`] | where labels go |
+//! | [`colour`], [`path`], [`drawing`] | roles, outlines, the display list |
+//! | [`svg`], [`png`] | writing |
+//! | [`labels`] | every word, in four languages |
+//!
+//! The figures themselves are free to use in slides: CC0 1.0, as each SVG says. The typeface is DejaVu Sans, under its
+//! own licence in `fonts/`.
+
+pub mod chart;
+pub mod colour;
+pub mod docs;
+pub mod drawing;
+pub mod error;
+pub mod figure;
+pub mod font;
+pub mod gallery;
+pub mod labels;
+pub mod marks;
+pub mod number;
+pub mod object;
+pub mod path;
+pub mod place;
+pub mod png;
+mod shadows;
+pub mod sheet;
+pub mod space;
+pub mod style;
+pub mod svg;
+pub mod text;
+pub mod write;

@@ -1,0 +1,131 @@
+//! Numbers as a lecture writes them: the fraction where a double is one, a rounded decimal otherwise.
+
+use ombra_math::glam::DVec3;
+
+/// Largest denominator shown as a fraction.
+const MOST: u32 = 999;
+/// Above this an integer or numerator is no longer read at a glance.
+const LARGEST: f64 = 1e6;
+
+/// A number in the markup of [`crate::text`]: `−{300|7}` where `x` is the double nearest to −300/7, `12`, `−0.333`.
+///
+/// # Properties
+///
+/// A fraction is shown only when dividing its two integers gives `x` to the last bit; the smallest denominator wins.
+/// Everything else is rounded to four significant digits.
+pub fn exact(x: f64) -> String {
+    let minus = if x < 0.0 { "−" } else { "" };
+    match fraction(x) {
+        Some((n, 1)) => format!("{minus}{n}"),
+        Some((n, d)) => format!("{minus}{{{n}|{d}}}"),
+        None => decimal(x),
+    }
+}
+
+/// Numerator and denominator of `x.abs()`, if it is exactly the double nearest to a fraction with a small denominator.
+pub fn fraction(x: f64) -> Option<(u32, u32)> {
+    let x = x.abs();
+    if x >= LARGEST || x.is_nan() {
+        return None;
+    }
+    (1..=MOST).find_map(|d| {
+        let n = (x * f64::from(d)).round();
+        // n is an integer below 10⁹ here, so the conversion keeps it.
+        (n < LARGEST && n / f64::from(d) == x).then_some((n as u32, d))
+    })
+}
+
+/// Four significant digits, without trailing zeros; powers of ten as ×10^k far from 1.
+pub fn decimal(x: f64) -> String {
+    if x.is_nan() {
+        return "NaN".to_owned();
+    }
+    let minus = if x < 0.0 { "−" } else { "" };
+    let x = x.abs();
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if x.is_infinite() {
+        return format!("{minus}∞");
+    }
+    // Rust prints the exact decimal expansion, rounded half to even: no logarithm is needed.
+    let scientific = format!("{x:.3e}");
+    let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let trimmed = |text: &str| match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text.to_owned(),
+    };
+    if (-4..6).contains(&exponent) {
+        let places = usize::try_from(3 - exponent).unwrap_or(0);
+        // Rounding again to the same digit of the already rounded value changes nothing.
+        let rounded: f64 = scientific.parse().unwrap_or(x);
+        format!("{minus}{}", trimmed(&format!("{rounded:.places$}")))
+    } else {
+        let sign = if exponent < 0 { "−" } else { "" };
+        format!("{minus}{}·10^{{{sign}{}}}", trimmed(digits), exponent.abs())
+    }
+}
+
+/// A point as (x, y, z), each coordinate by [`exact`].
+pub fn coordinates(p: DVec3) -> String {
+    format!("({}, {}, {})", exact(p.x), exact(p.y), exact(p.z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fraction_is_shown_only_when_it_is_one_to_the_last_bit() {
+        let seventh = -300.0_f64 / 7.0;
+        assert_eq!(exact(seventh), "−{300|7}");
+        assert_eq!(exact(f64::from_bits(seventh.to_bits() + 1)), "−42.86");
+        assert_eq!(exact(f64::from_bits(seventh.to_bits() - 1)), "−42.86");
+        assert_eq!(exact(12.5), "{25|2}");
+        assert_eq!(exact(0.1), "{1|10}");
+        assert_eq!(exact(core::f64::consts::PI), "3.142");
+        assert_eq!(exact(-20.0), "−20");
+        assert_eq!(exact(-0.0), "0");
+    }
+
+    #[test]
+    fn decimals() {
+        for (x, text) in [
+            (0.33333, "0.3333"),
+            (-42.857_14, "−42.86"),
+            (99_999.0, "100000"),
+            (123_456.7, "123500"),
+            (1.0e6, "1·10^{6}"),
+            (-1.25e-7, "−1.25·10^{−7}"),
+            (0.000_123_456, "0.0001235"),
+            (f64::INFINITY, "∞"),
+            (f64::NEG_INFINITY, "−∞"),
+            (f64::NAN, "NaN"),
+            (f64::MAX, "1.798·10^{308}"),
+            (5e-324, "4.941·10^{−324}"),
+        ] {
+            assert_eq!(decimal(x), text);
+        }
+    }
+
+    #[test]
+    fn every_small_fraction_is_found_in_lowest_terms() {
+        let gcd = |mut a: u32, mut b: u32| {
+            while b != 0 {
+                (a, b) = (b, a % b);
+            }
+            a
+        };
+        for d in 1..60 {
+            for n in 0..200 {
+                let g = gcd(n, d).max(1);
+                assert_eq!(
+                    fraction(f64::from(n) / f64::from(d)),
+                    Some((n / g, d / g)),
+                    "{n}/{d}"
+                );
+            }
+        }
+    }
+}

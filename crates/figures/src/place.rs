@@ -1,0 +1,422 @@
+//! Where labels go: beside their thing, on the first of eight sides that is free.
+//!
+//! A place is free when the label's box stays on the canvas and meets no other box. Among free places the nearest in
+//! the wanted direction wins that covers no drawn line; if every free place covers some, the one that covers least.
+//! A label without a free place is an error: nothing is ever put over other text.
+
+use ombra_math::glam::DVec2;
+
+use crate::drawing::{HALO, round};
+use crate::error::FigureError;
+use crate::path::Rect;
+use crate::text::Line;
+
+/// A label that wants a place.
+#[derive(Clone, Debug)]
+pub struct Wanted {
+    /// What it says.
+    pub line: Line,
+    /// What it stands beside.
+    pub anchor: DVec2,
+    /// How far the thing reaches around its anchor.
+    pub reach: f64,
+    /// The side it would rather have.
+    pub towards: DVec2,
+}
+
+/// A drawn line that labels should not cover.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawn {
+    /// One end.
+    pub a: DVec2,
+    /// The other end.
+    pub b: DVec2,
+    /// What a length of it counts; less for what may sooner be covered.
+    pub weight: f64,
+}
+
+/// A place found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Start of the baseline.
+    pub at: DVec2,
+    /// The box, rim included.
+    pub bounds: Rect,
+    /// The line that leads to it, where it is so far that it needs one.
+    pub leader: Option<(DVec2, DVec2)>,
+}
+
+impl Place {
+    fn is_free_of(&self, other: &Place) -> bool {
+        let crosses = |leader: Option<(DVec2, DVec2)>, bounds: &Rect| {
+            leader.is_some_and(|(a, b)| bounds.length_within(a, b) > 0.0)
+        };
+        let leaders_cross = match (self.leader, other.leader) {
+            (Some((a, b)), Some((c, d))) => cross(a, b, c, d),
+            _ => false,
+        };
+        !leaders_cross
+            && !self.bounds.meets(&other.bounds)
+            && !crosses(self.leader, &other.bounds)
+            && !crosses(other.leader, &self.bounds)
+    }
+}
+
+/// The eight sides, counted clockwise on the canvas from the right.
+const SIDES: [DVec2; 8] = [
+    DVec2::new(1.0, 0.0),
+    DVec2::new(
+        core::f64::consts::FRAC_1_SQRT_2,
+        core::f64::consts::FRAC_1_SQRT_2,
+    ),
+    DVec2::new(0.0, 1.0),
+    DVec2::new(
+        -core::f64::consts::FRAC_1_SQRT_2,
+        core::f64::consts::FRAC_1_SQRT_2,
+    ),
+    DVec2::new(-1.0, 0.0),
+    DVec2::new(
+        -core::f64::consts::FRAC_1_SQRT_2,
+        -core::f64::consts::FRAC_1_SQRT_2,
+    ),
+    DVec2::new(0.0, -1.0),
+    DVec2::new(
+        core::f64::consts::FRAC_1_SQRT_2,
+        -core::f64::consts::FRAC_1_SQRT_2,
+    ),
+];
+/// Distances tried, beyond the thing's own reach; from the fourth on a line leads to the label.
+const GAPS: [f64; 6] = [4.0, 11.0, 20.0, 45.0, 80.0, 125.0];
+const FAR: usize = 3;
+/// What a farther distance and a less wanted side count against a line covered, as lengths.
+const PER_GAP: f64 = 8.0;
+const PER_SIDE: f64 = 5.0;
+/// What a leading line counts in itself, and for each line it crosses.
+const LEADER: f64 = 60.0;
+const CROSSING: f64 = 25.0;
+
+/// Finds a place for every label.
+///
+/// `frame` is where labels may be, `taken` what they must not meet, `drawn` the lines they should not cover. Each takes
+/// in turn the best place that those before it left; then, as long as it makes the whole cheaper, a label takes a better
+/// place and those that it drives out take others. Several labels get the chance to begin; the cheapest outcome is kept,
+/// and it depends on nothing but the arguments.
+///
+/// # Errors
+///
+/// [`FigureError::NoRoom`] names a label without a free place.
+pub fn place(
+    wanted: &[Wanted],
+    frame: Rect,
+    taken: &[Rect],
+    drawn: &[Drawn],
+) -> Result<Vec<Place>, FigureError> {
+    let candidates: Vec<_> = wanted
+        .iter()
+        .map(|label| candidates(label, frame, taken, drawn))
+        .collect();
+    let mut board = Board::start(candidates, 0);
+    for first in 1..wanted.len().min(STARTS) {
+        let other = Board::start(board.candidates.clone(), first);
+        if other.total() < board.total() - 1e-6 {
+            board = other;
+        }
+    }
+    wanted
+        .iter()
+        .enumerate()
+        .map(|(label, wanted)| {
+            board
+                .place(label)
+                .map(|(_, place)| *place)
+                .ok_or_else(|| FigureError::NoRoom {
+                    text: wanted.line.plain.clone(),
+                })
+        })
+        .collect()
+}
+
+/// Times that all labels are looked at again; three or four are enough in practice.
+const ROUNDS: usize = 12;
+/// Labels that get the chance to begin.
+const STARTS: usize = 12;
+/// What a label without a place costs: more than any place.
+const UNPLACED: f64 = 1e5;
+
+/// The places to choose from, and the choice.
+struct Board {
+    candidates: Vec<Vec<(f64, Place)>>,
+    chosen: Vec<Option<usize>>,
+}
+
+impl Board {
+    /// Labels take places in turn, `first` at first, then better ones.
+    fn start(candidates: Vec<Vec<(f64, Place)>>, first: usize) -> Board {
+        let count = candidates.len();
+        let mut board = Board {
+            candidates,
+            chosen: vec![None; count],
+        };
+        let turn = |i: usize| (first + i) % count.max(1);
+        for i in 0..count {
+            let free = board.best_free(turn(i));
+            board.set(turn(i), free);
+        }
+        for _ in 0..ROUNDS {
+            // Every label gets its turn, so no short-circuit.
+            let improved = (0..count).filter(|&i| board.improve(turn(i))).count();
+            if improved == 0 {
+                break;
+            }
+        }
+        board
+    }
+
+    fn total(&self) -> f64 {
+        (0..self.chosen.len()).map(|label| self.cost(label)).sum()
+    }
+
+    fn candidate(&self, label: usize, choice: usize) -> Option<&(f64, Place)> {
+        self.candidates.get(label)?.get(choice)
+    }
+
+    fn place(&self, label: usize) -> Option<&(f64, Place)> {
+        self.candidate(label, (*self.chosen.get(label)?)?)
+    }
+
+    fn set(&mut self, label: usize, choice: Option<usize>) {
+        if let Some(slot) = self.chosen.get_mut(label) {
+            *slot = choice;
+        }
+    }
+
+    fn cost(&self, label: usize) -> f64 {
+        self.place(label).map_or(UNPLACED, |(cost, _)| *cost)
+    }
+
+    /// The labels whose places meet `place`.
+    fn met_by(&self, label: usize, place: &Place) -> Vec<usize> {
+        let meets = |&other: &usize| {
+            other != label
+                && self
+                    .place(other)
+                    .is_some_and(|(_, chosen)| !place.is_free_of(chosen))
+        };
+        (0..self.chosen.len()).filter(meets).collect()
+    }
+
+    /// The best choice of `label` that meets no other label's place.
+    fn best_free(&self, label: usize) -> Option<usize> {
+        let list = self.candidates.get(label)?;
+        list.iter()
+            .position(|(_, place)| self.met_by(label, place).is_empty())
+    }
+
+    /// Gives `label` a better place if that, with another place for whom it drives out, makes the whole cheaper.
+    fn improve(&mut self, label: usize) -> bool {
+        let now = self.cost(label);
+        for choice in 0..self.candidates.get(label).map_or(0, Vec::len) {
+            let Some((cost, place)) = self.candidate(label, choice).copied() else {
+                break;
+            };
+            if cost >= now {
+                break;
+            }
+            let before = self.chosen.clone();
+            let driven_out = self.met_by(label, &place);
+            let was = now
+                + driven_out
+                    .iter()
+                    .map(|&other| self.cost(other))
+                    .sum::<f64>();
+            for &other in &driven_out {
+                self.set(other, None);
+            }
+            self.set(label, Some(choice));
+            for &other in &driven_out {
+                let free = self.best_free(other);
+                self.set(other, free);
+            }
+            let is = cost
+                + driven_out
+                    .iter()
+                    .map(|&other| self.cost(other))
+                    .sum::<f64>();
+            // Less by more than rounding, so that no two states take turns.
+            if is < was - 1e-6 {
+                return true;
+            }
+            self.chosen = before;
+        }
+        false
+    }
+}
+
+/// Every free place of one label with its cost, best first.
+fn candidates(label: &Wanted, frame: Rect, taken: &[Rect], drawn: &[Drawn]) -> Vec<(f64, Place)> {
+    // Compares by dot product, so a wanted direction without length wants the right side.
+    let first = (0..8)
+        .max_by(|&a, &b| {
+            let along = |side: usize| SIDES.get(side).map_or(0.0, |d| d.dot(label.towards));
+            along(a).total_cmp(&along(b)).then(b.cmp(&a))
+        })
+        .unwrap_or(0);
+    let half = DVec2::new(
+        label.line.width * 0.5,
+        (label.line.ascent + label.line.descent) * 0.5,
+    ) + DVec2::splat(HALO);
+
+    let mut found = Vec::new();
+    for (distance, gap) in GAPS.into_iter().enumerate() {
+        for turn in 0..8_usize {
+            // The wanted side, then its neighbours on either hand, at last the opposite one.
+            let by = turn.div_ceil(2);
+            let side = if turn % 2 == 1 {
+                first + by
+            } else {
+                first + 8 - by
+            } % 8;
+            let Some(&direction) = SIDES.get(side) else {
+                continue;
+            };
+            let away = DVec2::new(sign(direction.x), sign(direction.y));
+            let centre = label.anchor + direction * (label.reach + gap) + half * away;
+            let at = round(label.line.centred(centre));
+            let bounds = label.line.bounds(at).grown(HALO);
+            if !frame.contains(&bounds) || taken.iter().any(|other| other.meets(&bounds)) {
+                continue;
+            }
+            let covered: f64 = drawn
+                .iter()
+                .map(|line| line.weight * bounds.length_within(line.a, line.b))
+                .sum();
+            let mut cost = covered + PER_GAP * distance as f64 + PER_SIDE * by as f64;
+            let mut leader = None;
+            if distance >= FAR {
+                let start = label.anchor + direction * label.reach;
+                let end = start.clamp(bounds.min, bounds.max);
+                if taken
+                    .iter()
+                    .any(|other| other.length_within(start, end) > 0.0)
+                {
+                    continue;
+                }
+                let crossed: f64 = drawn
+                    .iter()
+                    .filter(|line| cross(start, end, line.a, line.b))
+                    .map(|line| line.weight)
+                    .sum();
+                cost += LEADER + CROSSING * crossed;
+                leader = Some((start, end));
+            }
+            found.push((cost, Place { at, bounds, leader }));
+        }
+    }
+    // Stable: equal costs keep the order of trying.
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found
+}
+
+/// Whether the segments a–b and c–d cross.
+fn cross(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
+    let side = |from: DVec2, to: DVec2, p: DVec2| (to - from).perp_dot(p - from);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+fn sign(x: f64) -> f64 {
+    match x {
+        x if x > 0.0 => 1.0,
+        x if x < 0.0 => -1.0,
+        _ => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::LABEL;
+
+    fn label(text: &str, x: f64, y: f64) -> Wanted {
+        Wanted {
+            line: Line::new(text, LABEL).unwrap(),
+            anchor: DVec2::new(x, y),
+            reach: 5.0,
+            towards: DVec2::X,
+        }
+    }
+
+    const FRAME: Rect = Rect::new(DVec2::ZERO, DVec2::new(600.0, 300.0));
+
+    #[test]
+    fn the_wanted_side_is_taken_when_it_is_free() {
+        let places = place(&[label("a", 300.0, 150.0)], FRAME, &[], &[]).unwrap();
+        assert!(places[0].bounds.min.x > 300.0);
+        assert!((places[0].bounds.centre().y - 150.0).abs() < 0.1);
+    }
+
+    #[test]
+    fn two_labels_at_one_place_part() {
+        let places = place(
+            &[label("first", 300.0, 150.0), label("second", 300.0, 150.0)],
+            FRAME,
+            &[],
+            &[],
+        )
+        .unwrap();
+        assert!(!places[0].bounds.meets(&places[1].bounds));
+    }
+
+    #[test]
+    fn a_label_at_the_edge_turns_inwards_and_a_line_is_avoided() {
+        let places = place(&[label("edge", 595.0, 150.0)], FRAME, &[], &[]).unwrap();
+        assert!(places[0].bounds.max.x < 595.0);
+        let line = Drawn {
+            a: DVec2::new(300.0, 150.0),
+            b: DVec2::new(600.0, 150.0),
+            weight: 1.0,
+        };
+        let places = place(&[label("line", 300.0, 150.0)], FRAME, &[], &[line]).unwrap();
+        assert_eq!(places[0].bounds.length_within(line.a, line.b), 0.0);
+    }
+
+    #[test]
+    fn no_room_is_an_error_that_names_the_label() {
+        let tight = Rect::new(DVec2::ZERO, DVec2::splat(90.0));
+        let error = place(
+            &[label("much too long for this", 45.0, 45.0)],
+            tight,
+            &[],
+            &[],
+        )
+        .unwrap_err();
+        assert!(
+            error.to_string().contains("'much too long for this'"),
+            "{error}"
+        );
+        let crowd: Vec<_> = (0..40).map(|_| label("crowd", 300.0, 150.0)).collect();
+        assert!(place(&crowd, FRAME, &[], &[]).is_err());
+    }
+
+    #[test]
+    fn a_label_that_others_would_shut_out_goes_first() {
+        // A strip one label high: the long one fits only to the right of the shared anchor, where the short one, first
+        // in order, would rather be too.
+        let (short, long) = (label("i", 40.0, 25.0), label("a long label", 40.0, 25.0));
+        let least = 40.0 + long.reach + GAPS[0] + long.line.width + 2.0 * HALO;
+        let frame = Rect::new(DVec2::ZERO, DVec2::new(least + 1.0, 50.0));
+        let places = place(&[short, long], frame, &[], &[]);
+        assert!(places.is_ok(), "{places:?}");
+    }
+
+    #[test]
+    fn nonsense_anchors_do_not_panic() {
+        for x in [f64::NAN, f64::INFINITY, f64::MAX] {
+            let line = Drawn {
+                a: DVec2::splat(x),
+                b: DVec2::ZERO,
+                weight: 1.0,
+            };
+            assert!(place(&[label("a", x, x)], FRAME, &[], &[line]).is_err());
+        }
+    }
+}
