@@ -296,7 +296,7 @@ pub fn frustum_infinite(l: f64, r: f64, b: f64, t: f64, n: f64) -> Result<DMat4,
 ///
 /// # References
 ///
-/// The usual form of CIS 781, «Standard glFrustum Projection Matrix»: «use glFrustum (or gluPerspective)».
+/// CIS 781, «Standard glFrustum Projection Matrix», in its symmetric form.
 pub fn perspective(fov_y: f64, aspect: f64, n: f64, f: f64) -> Result<DMat4, ViewError> {
     finite("the field of view", fov_y)?;
     if fov_y <= 0.0 || fov_y >= PI {
