@@ -319,12 +319,37 @@ pub(super) fn homogeneous_shadow(plane: Plane, light: DVec4, v: DVec3) -> DVec4 
     DVec4::new(x, y, z, libm::scalbn(wf.abs(), we - top))
 }
 
-/// s − L_w t as a double with the exact sign, relative to the side of the light: positive where `v` is nearer to the
-/// plane than the light.
-pub(super) fn height_below_light(plane: Plane, light: DVec4, v: DVec3) -> f64 {
-    let (f, e) = denominator(plane, light, v).to_scaled();
-    // Only ratios of heights are used, and only their sign at the extremes.
-    libm::scalbn(f, e.clamp(-1000, 1000))
+/// s − L_w t of each vertex, the largest between 1 and 2: positive where a vertex is nearer to the plane than the
+/// light, for a plane with the light in front. Signs are exact, also of heights too small beside the largest.
+pub(super) fn heights_below_light(plane: Plane, light: DVec4, polygon: &[DVec3]) -> Vec<f64> {
+    let heights: Vec<_> = polygon
+        .iter()
+        .map(|&v| denominator(plane, light, v).to_scaled())
+        .collect();
+    let exponents = heights.iter().filter(|(f, _)| *f != 0.0).map(|&(_, e)| e);
+    let top = exponents.max().unwrap_or(0);
+    let relative = |&(f, e): &(f64, i32)| {
+        let height = libm::scalbn(f, e - top);
+        if height == 0.0 && f != 0.0 {
+            f64::from_bits(1).copysign(f)
+        } else {
+            height
+        }
+    };
+    heights.iter().map(relative).collect()
+}
+
+/// The direction from the light's place to `v`, of any length that keeps its digits.
+pub(super) fn direction_from_light(light: DVec4, v: DVec3) -> DVec3 {
+    let sums = [0, 1, 2].map(|j| Sum::of(&[[light.w, v[j], 1.0], [-1.0, light[j], 1.0]]));
+    let plain = DVec3::from_array(sums.each_ref().map(Sum::to_f64));
+    if plain.is_finite() && plain.abs().max_element().is_normal() {
+        return plain;
+    }
+    let scaled = sums.map(|sum| sum.to_scaled());
+    let exponents = scaled.iter().filter(|(f, _)| *f != 0.0).map(|&(_, e)| e);
+    let top = exponents.max().unwrap_or(0);
+    DVec3::from_array(scaled.map(|(f, e)| libm::scalbn(f, e - top)))
 }
 
 #[cfg(test)]

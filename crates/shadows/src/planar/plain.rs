@@ -16,9 +16,14 @@ use super::exact_cast::towards_place;
 ///
 /// # Properties
 ///
-/// The nearest double where the products are exact, as for the lectures' integers. Otherwise the error is up to
-/// some 8 ε (|s V| + |t L|) / |s − L_w t|, which is large where those cancel: use [`cast`](super::cast()) there.
-/// Decisions are made on the rounded s, t and s − L_w t.
+/// The nearest double where the products are exact, as for the lectures' integers. In general the error of P_j is up to
+///
+/// ```text
+/// 3ε (S |V_j| + T |L_j| + (S + T |L_w|) |P_j|) / |s − L_w t| + ½ ε |P_j|        S = Σ|π_i L_i|,  T = Σ|n_i V_i| + |d|
+/// ```
+///
+/// which is large where s, t or s − L_w t cancel: use [`cast`](super::cast()) there. Decisions are made on the
+/// rounded s, t and s − L_w t.
 ///
 /// # Examples
 ///
@@ -75,7 +80,7 @@ pub fn cast_by_quotient_counted(
 /// # Properties
 ///
 /// k is rounded before it is used, so the result is not the nearest double even for the lectures' integers: within
-/// 2 ulp there. The error grows with the light's distance, ε |k (V − L)|: far lights lose the most.
+/// 2ε |P|, which is up to 3 last places, for the slides' cube. The error grows with the light's distance, ε |k (V − L)|: far lights lose the most.
 ///
 /// # Examples
 ///

@@ -8,7 +8,9 @@ use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::homogeneous::{point, project};
 use ombra_math::plane::Plane;
 
-use super::exact_cast::{cast, height_below_light, homogeneous_shadow, towards_place};
+use super::exact_cast::{
+    cast, direction_from_light, heights_below_light, homogeneous_shadow, towards_place,
+};
 
 /// The shadow of a polygon on `plane`, as homogeneous points; empty where nothing casts.
 ///
@@ -16,7 +18,7 @@ use super::exact_cast::{cast, height_below_light, homogeneous_shadow, towards_pl
 ///
 /// ```text
 /// the part of the polygon with   n·V + d ≥ 0   (on the light's side)   and   s − L_w t ≥ 0   (below the light),
-/// each vertex cast:   (P, 1),   or (V − L/L_w, 0) for a vertex level with the light
+/// each vertex cast:   (P, 1),   or (L_w V − L, 0), a direction, for a vertex level with the light
 /// ```
 ///
 /// # Properties
@@ -70,10 +72,9 @@ pub fn cast_polygon(plane: Plane, light: DVec4, polygon: &[DVec3]) -> Vec<DVec4>
         _ => return Vec::new(),
     };
     // A vertex with its height below the light; crossings get the height 0, whatever their rounding.
-    let lit: Vec<(DVec3, f64)> = clip_against_plane(polygon, &plane)
-        .into_iter()
-        .map(|v| (v, height_below_light(plane, light, v)))
-        .collect();
+    let lit = clip_against_plane(polygon, &plane);
+    let heights = heights_below_light(plane, light, &lit);
+    let lit: Vec<(DVec3, f64)> = lit.into_iter().zip(heights).collect();
     let below = clip_by(
         &lit,
         |(_, height)| height,
@@ -85,10 +86,9 @@ pub fn cast_polygon(plane: Plane, light: DVec4, polygon: &[DVec3]) -> Vec<DVec4>
     if below.iter().all(|&(_, height)| height == 0.0) {
         return Vec::new();
     }
-    let place = light.truncate() / light.w;
     let shadow = |(v, height): (DVec3, f64)| {
         if height == 0.0 {
-            (v - place).extend(0.0)
+            direction_from_light(light, v).extend(0.0)
         } else {
             match cast(plane, light, v) {
                 Some(p) => point(p),
@@ -168,6 +168,9 @@ pub fn cast_polygon_each(plane: Plane, lights: &[DVec4], polygon: &[DVec3]) -> V
 /// projected shadows.
 #[must_use]
 pub fn cast_onto(receiver: &[DVec3], light: DVec4, polygon: &[DVec3]) -> Vec<DVec3> {
+    if !receiver.iter().all(|p| p.is_finite()) {
+        return Vec::new();
+    }
     let Some(plane) = plane_of(receiver) else {
         return Vec::new();
     };

@@ -1,0 +1,15 @@
+//! Oracles that the crates are measured against: exact, plain and independent of what they measure.
+//!
+//! | module | what it answers |
+//! | --- | --- |
+//! | [`dyadic`] | numbers m · 2ᵉ with m a whole number of any size: every double, every sum and product of doubles |
+//! | [`shadow`] | the planar shadow of one vertex as an exact fraction, its decision and its condition |
+//! | [`region`] | containment and blocking for shadow polygons, by exact signs |
+//! | [`cases`] | random input spread over the whole range of exponents, a third of it next to a degenerate case |
+//! | [`topic_index`] | the README's table of topics, taken apart |
+
+pub mod cases;
+pub mod dyadic;
+pub mod region;
+pub mod shadow;
+pub mod topic_index;

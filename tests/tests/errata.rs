@@ -1,0 +1,396 @@
+//! Where a slide is wrong: each erratum as one assertion on a function, broken by what the slide has and kept by
+//! what the crates compute.
+//!
+//! The slides' versions are typed in here as they are printed, so that whoever types them in learns from the
+//! same sentence why they fail.
+#![allow(clippy::expect_used, reason = "a test that cannot go on fails")]
+
+use ombra_math::glam::{DMat4, DVec2, DVec3, DVec4, dvec3};
+use ombra_math::homogeneous::{point, project};
+use ombra_math::plane::Plane;
+use ombra_math::spherical::Spherical;
+use ombra_math::triangle::face_normal;
+use ombra_math::view::look_at;
+use ombra_shadows::planar::{cast, ground_matrix_directional, ground_matrix_point, shadow_matrix};
+
+type Verdict = Result<(), String>;
+
+/// The slide's version breaks the assertion and says so with these words; ours keeps it.
+fn proven(slide: Verdict, words: &str, ours: Verdict) {
+    let sentence = slide.expect_err("the slide's version is wrong and was not caught");
+    assert!(sentence.contains(words), "{sentence}");
+    assert_eq!(ours, Ok(()));
+}
+
+/// Two numbers within 4 ε of the larger: a handful of roundings, and the slides are off in the first digit.
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs())
+}
+
+fn demand(kept: bool, sentence: impl FnOnce() -> String) -> Verdict {
+    if kept { Ok(()) } else { Err(sentence()) }
+}
+
+/// E1. Bologna, «Ombre su piani in WebGL»: with column vectors M = (π·L) I − L πᵀ.
+fn e1(matrix: impl Fn(Plane, DVec4) -> DMat4) -> Verdict {
+    let light = DVec4::new(0.0, 100.0, 100.0, 1.0);
+    let m = matrix(Plane::GROUND, light);
+    let p = project(m * point(dvec3(0.0, 20.0, 0.0))).ok_or("no shadow of (0,20,0)")?;
+    demand(p.y == 0.0, || {
+        let transposed = if m == matrix_by_the_slide(Plane::GROUND, light) {
+            ": this is the transposed matrix"
+        } else {
+            ""
+        };
+        format!("the shadow {p} of (0,20,0) is not even on the plane y = 0{transposed}")
+    })?;
+    demand(p == dvec3(0.0, 0.0, -25.0), || {
+        format!("the shadow of (0,20,0) is {p} instead of (0,0,-25)")
+    })
+}
+
+/// The printed matrix: dot · I minus the rows a·L, b·L, c·L, d·L.
+fn matrix_by_the_slide(plane: Plane, light: DVec4) -> DMat4 {
+    let dot = plane.coefficients().dot(light);
+    let [a, b, c, d] = plane.coefficients().to_array();
+    let rows = DMat4::from_cols(a * light, b * light, c * light, d * light).transpose();
+    DMat4::IDENTITY * dot - rows
+}
+
+#[test]
+fn e1_the_matrix_is_transposed() {
+    proven(
+        e1(matrix_by_the_slide),
+        "not even on the plane y = 0: this is the transposed matrix",
+        e1(|plane, light| shadow_matrix(plane, light).unwrap()),
+    );
+    let p = project(
+        matrix_by_the_slide(Plane::GROUND, DVec4::new(0.0, 100.0, 100.0, 1.0))
+            * point(dvec3(0.0, 20.0, 0.0)),
+    );
+    assert_eq!(p, Some(dvec3(0.0, -1.0 / 100.0, 0.0)));
+}
+
+/// E2. Olomouc, «Projekce na libovolnou plochu»: entry (3,2) is −L_y n_z.
+fn e2(shadow: impl Fn(Plane, DVec3, DVec3) -> Option<DVec3>) -> Verdict {
+    let plane = Plane {
+        normal: dvec3(1.0, 2.0, 3.0),
+        d: 4.0,
+    };
+    let p = shadow(plane, dvec3(3.0, 7.0, 2.0), DVec3::ONE).ok_or("no shadow of (1,1,1)")?;
+    // Seventeenths: 17 n·P + 68 of the right point is exactly zero.
+    let off = plane.normal.dot(p) + plane.d;
+    demand(off.abs() <= 8.0 * f64::EPSILON * plane.d, || {
+        format!("n·P + d = {off} instead of 0: the shadow is not on the plane")
+    })?;
+    let right = [-3.0 / 17.0, -43.0 / 17.0, 7.0 / 17.0];
+    demand(
+        p.to_array()
+            .into_iter()
+            .zip(right)
+            .all(|(a, b)| close(a, b)),
+        || format!("the shadow of (1,1,1) is {p} instead of (-3,-43,7)/17"),
+    )
+}
+
+#[test]
+fn e2_one_entry_of_the_any_plane_matrix() {
+    // A matrix for row vectors: (V, 1) M, as the slide prints its rows, misprint and all.
+    let by_the_slide = |plane: Plane, l: DVec3, v: DVec3| {
+        let (n, d) = (plane.normal, plane.d);
+        let nl = n.dot(l);
+        let rows = [
+            DVec4::new(nl + d - l.x * n.x, -l.y * n.x, -l.z * n.x, -n.x),
+            DVec4::new(-l.x * n.y, nl + d - l.y * n.y, -l.z * n.y, -n.y),
+            DVec4::new(-l.x * n.z, -l.z * n.z, nl + d - l.z * n.z, -n.z),
+            DVec4::new(-l.x * d, -l.y * d, -l.z * d, nl),
+        ];
+        project(v.x * rows[0] + v.y * rows[1] + v.z * rows[2] + rows[3])
+    };
+    let proof = |ours: Verdict| proven(e2(by_the_slide), "not on the plane", ours);
+    proof(e2(|plane, l, v| cast(plane, point(l), v)));
+    proof(e2(|plane, l, v| {
+        project(shadow_matrix(plane, point(l)).unwrap() * point(v))
+    }));
+    // The slide's point and how far it is off: (−3, −28, 7)/17 and 30/17.
+    let wall = Plane {
+        normal: dvec3(1.0, 2.0, 3.0),
+        d: 4.0,
+    };
+    let p = by_the_slide(wall, dvec3(3.0, 7.0, 2.0), DVec3::ONE).unwrap();
+    assert_eq!(p, dvec3(-3.0 / 17.0, -28.0 / 17.0, 7.0 / 17.0));
+}
+
+const CUBE: [DVec3; 8] = [
+    dvec3(0.0, 20.0, 0.0),
+    dvec3(10.0, 20.0, 0.0),
+    dvec3(10.0, 20.0, 10.0),
+    dvec3(0.0, 20.0, 10.0),
+    dvec3(0.0, 30.0, 0.0),
+    dvec3(10.0, 30.0, 0.0),
+    dvec3(10.0, 30.0, 10.0),
+    dvec3(0.0, 30.0, 10.0),
+];
+
+/// E3. Olomouc, «Zdroj světla v bodě», example: the cube under the point light (0, 100, 100).
+fn e3(shadow: impl Fn(DVec3) -> Option<DVec3>) -> Verdict {
+    let (a, b, c) = (100.0 / 7.0, -300.0 / 7.0, -200.0 / 7.0);
+    let right = [
+        (0.0, -25.0),
+        (12.5, -25.0),
+        (12.5, -12.5),
+        (0.0, -12.5),
+        (0.0, b),
+        (a, b),
+        (a, c),
+        (0.0, c),
+    ];
+    // A light at infinity in the direction (0, 1, 1) moves every corner by −V_y along z, and by nothing along x.
+    let as_from_infinity = CUBE
+        .iter()
+        .all(|&v| shadow(v) == Some(dvec3(v.x, 0.0, v.z - v.y)));
+    demand(!as_from_infinity, || {
+        "this is the shadow under a light at infinity, not under a lamp at (0,100,100)".into()
+    })?;
+    for (v, (x, z)) in CUBE.into_iter().zip(right) {
+        let p = shadow(v).ok_or_else(|| format!("no shadow of {v}"))?;
+        demand(close(p.x, x) && p.y == 0.0 && close(p.z, z), || {
+            format!("the shadow of {v} is {p} instead of ({x},0,{z})")
+        })?;
+    }
+    Ok(())
+}
+
+#[test]
+fn e3_the_answer_for_a_point_light() {
+    let printed = |v: DVec3| {
+        let x = [0.0, 10.0, 10.0, 0.0, 0.0, 10.0, 10.0, 0.0];
+        let z = [-20.0, -20.0, -10.0, -10.0, -30.0, -30.0, -20.0, -20.0];
+        let corner = CUBE.iter().position(|&c| c == v)?;
+        Some(dvec3(x[corner], 0.0, z[corner]))
+    };
+    let lamp = dvec3(0.0, 100.0, 100.0);
+    let proof = |ours: Verdict| proven(e3(printed), "under a light at infinity", ours);
+    proof(e3(|v| cast(Plane::GROUND, point(lamp), v)));
+    proof(e3(|v| {
+        project(ground_matrix_point(lamp).unwrap() * point(v))
+    }));
+}
+
+/// E4. Olomouc, «Zdroj v nekonečnu», example: the shadows are places, so their w is 1.
+fn e4(shadow: impl Fn(DVec3) -> DVec4) -> Verdict {
+    let x = [-20.0, -10.0, -10.0, -20.0, -30.0, -20.0, -20.0, -30.0];
+    let z = [-20.0, -20.0, -10.0, -10.0, -30.0, -30.0, -20.0, -20.0];
+    for (corner, v) in CUBE.into_iter().enumerate() {
+        let p = shadow(v);
+        demand(p.w != 0.0, || {
+            format!("the shadow {p} of {v} is a direction (w = 0) and not a place")
+        })?;
+        let right = DVec4::new(x[corner], 0.0, z[corner], 1.0);
+        demand(p == right, || {
+            format!("the shadow of {v} is {p} instead of {right}")
+        })?;
+    }
+    Ok(())
+}
+
+#[test]
+fn e4_the_last_row_of_the_answer() {
+    // The printed S, column after column.
+    let printed = |v: DVec3| {
+        let x = [-20.0, -10.0, -10.0, -20.0, -30.0, -20.0, -20.0, -30.0];
+        let z = [-20.0, -20.0, -10.0, -10.0, -30.0, -30.0, -20.0, -20.0];
+        let corner = CUBE.iter().position(|&c| c == v).unwrap();
+        DVec4::new(x[corner], 0.0, z[corner], 0.0)
+    };
+    let sun = DVec3::splat(10.0);
+    proven(
+        e4(printed),
+        "is a direction (w = 0)",
+        e4(|v| ground_matrix_directional(sun).unwrap() * point(v)),
+    );
+}
+
+/// E5. Olomouc, «Stínová paměť hloubky», example: the light's camera stands at the light and looks at the centre
+/// of the scene.
+fn e5(camera: impl Fn(DVec3, DVec3) -> DMat4) -> Verdict {
+    let (light, centre) = (dvec3(0.0, 30.0, -30.0), dvec3(0.0, 0.0, -20.0));
+    let m = camera(light, centre);
+    // Rotations and shifts of lengths up to 50: some roundings of 50 ε/2 each.
+    let tolerance = 16.0 * 50.0 * f64::EPSILON;
+    let eye = m * point(light);
+    demand(eye.truncate().length() <= tolerance, || {
+        format!("the light goes to {} instead of the origin", eye.truncate())
+    })?;
+    // A camera looks along −z, so the centre lies √1000 before it.
+    let distance = 1000.0_f64.sqrt();
+    let seen = (m * point(centre)).truncate();
+    demand(
+        (seen - dvec3(0.0, 0.0, -distance)).length() <= tolerance,
+        || {
+            format!(
+                "the centre (0,0,-20) is seen at {seen} and not straight ahead, at (0,0,-√1000)"
+            )
+        },
+    )?;
+    let ahead = (m.transpose() * DVec4::new(0.0, 0.0, -1.0, 0.0)).truncate();
+    let right = dvec3(0.0, -30.0, 10.0) / distance;
+    demand((ahead - right).length() <= 16.0 * f64::EPSILON, || {
+        format!("the view direction is {ahead} instead of (0,-30,10)/√1000")
+    })
+}
+
+#[test]
+fn e5_the_light_camera() {
+    // The slide has two steps, −45° about x and −42.4 along z.
+    let shifted = |degrees: f64, shift: f64| {
+        move |_: DVec3, _: DVec3| {
+            DMat4::from_translation(dvec3(0.0, 0.0, shift))
+                * DMat4::from_rotation_x(degrees.to_radians())
+        }
+    };
+    let depth = 1800.0_f64.sqrt();
+    let ours = || e5(|eye, centre| look_at(eye, centre, DVec3::Y).unwrap());
+    proven(e5(shifted(-45.0, -depth)), "the light goes to", ours());
+    // With the angle that does take the light onto the z axis, the camera still looks past the centre.
+    proven(e5(shifted(135.0, -depth)), "not straight ahead", ours());
+    // What the turns do to the light, by hand.
+    for (degrees, goes_to) in [
+        (-45.0, dvec3(0.0, 0.0, -depth)),
+        (45.0, dvec3(0.0, depth, 0.0)),
+        (135.0, dvec3(0.0, 0.0, depth)),
+    ] {
+        let p = DMat4::from_rotation_x(f64::to_radians(degrees)) * point(dvec3(0.0, 30.0, -30.0));
+        assert!((p.truncate() - goes_to).length() <= 16.0 * depth * f64::EPSILON);
+    }
+}
+
+/// E6. Olomouc, «Prostorové úhly»: tan φ = y/x, and the quadrant is kept.
+fn e6(azimuth: impl Fn(DVec3) -> f64) -> Verdict {
+    for v in octants() {
+        let phi = azimuth(v);
+        // The slide's own way back: x = r cos φ sin θ and y = r sin φ sin θ.
+        let back = v.truncate().length() * DVec2::new(phi.cos(), phi.sin());
+        demand(
+            (back - v.truncate()).length() <= 16.0 * f64::EPSILON * v.length(),
+            || format!("φ = {phi} of {v} leads back to x, y = {back}"),
+        )?;
+    }
+    Ok(())
+}
+
+/// A vector in every octant, no two coordinates of one size.
+fn octants() -> impl Iterator<Item = DVec3> {
+    (0..8).map(|k| {
+        let sign = |bit: u32| if k >> bit & 1 == 0 { 1.0 } else { -1.0 };
+        dvec3(3.0 * sign(0), 2.0 * sign(1), 5.0 * sign(2))
+    })
+}
+
+#[test]
+fn e6_the_azimuth() {
+    let ours = || e6(|v| Spherical::from_cartesian(v).phi);
+    proven(e6(|v| (v.x / v.y).atan()), "leads back to", ours());
+    // The right quotient alone still mistakes a quadrant for the opposite one.
+    proven(e6(|v| (v.y / v.x).atan()), "leads back to", ours());
+    for v in octants() {
+        let back = Spherical::from_cartesian(v).to_cartesian();
+        assert!(
+            (back - v).length() <= 16.0 * f64::EPSILON * v.length(),
+            "{v} comes back as {back}"
+        );
+    }
+}
+
+/// E14. Olomouc, «Flat shading», second example: the mean of normals is that of unit normals, made unit again.
+fn e14(face: impl Fn([DVec3; 3]) -> Option<DVec3>) -> Verdict {
+    let normals = [DVec3::X, dvec3(0.5, 1.0, 0.0), dvec3(0.0, 0.5, 0.0)];
+    let n = face(normals).ok_or("these three normals have a mean")?;
+    demand(close(n.length(), 1.0), || {
+        format!("the mean {n} is not of unit length")
+    })?;
+    // (1,0,0) + (1,2,0)/√5 + (0,1,0), made unit: (√5 + 1, √5 + 2, 0), of which the square is 15 + 6√5.
+    let root = 5.0_f64.sqrt();
+    let right = dvec3(root + 1.0, root + 2.0, 0.0) / (15.0 + 6.0 * root).sqrt();
+    demand((n - right).length() <= 8.0 * f64::EPSILON, || {
+        format!("{n} instead of {right}: a longer normal has no larger share")
+    })?;
+    demand((right - dvec3(0.6071, 0.7947, 0.0)).length() < 1e-4, || {
+        "four digits".into()
+    })
+}
+
+#[test]
+fn e14_the_mean_of_vertex_normals() {
+    let mean = |[a, b, c]: [DVec3; 3]| Some((a + b + c) / 3.0);
+    let made_unit = |n: [DVec3; 3]| mean(n)?.try_normalize();
+    proven(e14(mean), "not of unit length", e14(face_normal));
+    proven(e14(made_unit), "no larger share", e14(face_normal));
+}
+
+/// E21. Olomouc, «Zdroj světla v bodě»: w = L_y − V_y is positive for a true shadow, so that clipping keeps it.
+fn e21(matrix: impl Fn(DVec3) -> DMat4) -> Verdict {
+    let p = matrix(dvec3(0.0, 100.0, 100.0)) * point(dvec3(10.0, 20.0, 10.0));
+    demand(project(p) == Some(dvec3(12.5, 0.0, -12.5)), || {
+        format!("the shadow of (10,20,10) is {p} instead of (12.5,0,-12.5)")
+    })?;
+    demand(p.w > 0.0, || {
+        format!(
+            "w = {} is negative: clipping throws this true shadow away",
+            p.w
+        )
+    })?;
+    demand(p.w == 80.0, || {
+        format!("w = {} instead of L_y - V_y = 80", p.w)
+    })
+}
+
+#[test]
+fn e21_the_sign_of_w() {
+    // The slide's rows: (−y_L, x_L, 0, 0), 0, (0, z_L, −y_L, 0), (0, 1, 0, −y_L).
+    let by_the_slide = |l: DVec3| {
+        DMat4::from_cols(
+            DVec4::new(-l.y, 0.0, 0.0, 0.0),
+            DVec4::new(l.x, 0.0, l.z, 1.0),
+            DVec4::new(0.0, 0.0, -l.y, 0.0),
+            DVec4::new(0.0, 0.0, 0.0, -l.y),
+        )
+    };
+    let proof = |ours: Verdict| proven(e21(by_the_slide), "w = -80 is negative", ours);
+    proof(e21(|l| ground_matrix_point(l).unwrap()));
+    proof(e21(|l| shadow_matrix(Plane::GROUND, point(l)).unwrap()));
+}
+
+/// E30. Olomouc, «Prostorové úhly»: θ is the polar angle, from the z axis, 0 to π.
+fn e30(theta: impl Fn(DVec3) -> f64) -> Verdict {
+    use std::f64::consts::{FRAC_PI_2, PI};
+    for (v, right) in [
+        (DVec3::Z, 0.0),
+        (DVec3::X, FRAC_PI_2),
+        (-DVec3::Z, PI),
+        (dvec3(0.0, 3.0, -3.0), 3.0 * PI / 4.0),
+    ] {
+        let computed = theta(v);
+        demand(close(computed, right), || {
+            format!("θ of {v} is {computed} instead of {right}, the angle from the z axis")
+        })?;
+    }
+    for v in octants() {
+        // The slide's own way back: z = r cos θ.
+        let z = v.length() * theta(v).cos();
+        demand((z - v.z).abs() <= 16.0 * f64::EPSILON * v.length(), || {
+            format!("θ = {} of {v} leads back to z = {z}", theta(v))
+        })?;
+    }
+    Ok(())
+}
+
+#[test]
+fn e30_the_polar_angle() {
+    let ours = || e30(|v| Spherical::from_cartesian(v).theta);
+    let elevation = |v: DVec3| v.z.atan2(v.truncate().length());
+    proven(e30(elevation), "the angle from the z axis", ours());
+    // tan θ = √(x² + y²)/z, as printed, loses what is below the xy plane.
+    let tangent = |v: DVec3| (v.truncate().length() / v.z).atan();
+    proven(e30(tangent), "the angle from the z axis", ours());
+}
