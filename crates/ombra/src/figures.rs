@@ -69,13 +69,21 @@ fn draw(options: &Options) -> Result<(), FigureError> {
         theme: options.theme.parse::<Theme>()?,
         language: options.lang.parse::<Language>()?,
         background: options.background.parse::<Background>()?,
-        text: if options.text { TextForm::Text } else { TextForm::Paths },
+        text: if options.text {
+            TextForm::Text
+        } else {
+            TextForm::Paths
+        },
         caption: options.caption,
     };
     let inputs = Inputs {
         light: options.light.as_deref().map(parse_light).transpose()?,
         plane: options.plane.as_deref().map(parse_plane).transpose()?,
-        mesh: options.mesh.as_deref().map(str::parse::<NamedMesh>).transpose()?,
+        mesh: options
+            .mesh
+            .as_deref()
+            .map(str::parse::<NamedMesh>)
+            .transpose()?,
     };
     refuse_what_none_takes(&chosen, &inputs)?;
     // Everything is laid out before anything is written.
@@ -100,7 +108,8 @@ fn draw(options: &Options) -> Result<(), FigureError> {
     Ok(())
 }
 
-fn formats(text: &str) -> Result<Vec<Format>, FigureError> {
+/// The formats named in `text`, each once.
+pub fn formats(text: &str) -> Result<Vec<Format>, FigureError> {
     let mut formats = Vec::new();
     for word in text.split(',') {
         let format = word.trim().parse()?;
@@ -141,7 +150,10 @@ fn docs() -> Result<(), String> {
         ));
     }
     let files = write_docs(root).map_err(|error| error.to_string())?;
-    crate::print(format_args!("{} figures for the documentation", files.len()));
+    crate::print(format_args!(
+        "{} figures for the documentation",
+        files.len()
+    ));
     Ok(())
 }
 

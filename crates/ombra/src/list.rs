@@ -15,14 +15,34 @@ pub struct Options {
 
 pub fn run(options: &Options) -> Result<(), String> {
     let language: Language = options.lang.parse().map_err(|e| format!("{e}"))?;
-    let width = figures().iter().map(|figure| figure.id.len()).max().unwrap_or(0);
+    let width = figures()
+        .iter()
+        .map(|figure| figure.id.len())
+        .max()
+        .unwrap_or(0);
     crate::print("figures");
     for figure in figures() {
         let takes = figure.takes;
-        let options = [("--light", takes.light), ("--plane", takes.plane), ("--mesh", takes.mesh)];
-        let options: Vec<_> = options.iter().filter(|(_, taken)| *taken).map(|(name, _)| *name).collect();
-        let suffix = if options.is_empty() { String::new() } else { format!("  [{}]", options.join(" ")) };
-        crate::print(format_args!("  {:width$}  {}{suffix}", figure.id, figure.summary(language)));
+        let options = [
+            ("--light", takes.light),
+            ("--plane", takes.plane),
+            ("--mesh", takes.mesh),
+        ];
+        let options: Vec<_> = options
+            .iter()
+            .filter(|(_, taken)| *taken)
+            .map(|(name, _)| *name)
+            .collect();
+        let suffix = if options.is_empty() {
+            String::new()
+        } else {
+            format!("  [{}]", options.join(" "))
+        };
+        crate::print(format_args!(
+            "  {:width$}  {}{suffix}",
+            figure.id,
+            figure.summary(language)
+        ));
     }
     crate::print("studies");
     for study in studies() {

@@ -14,7 +14,8 @@
 //! s and t cancel where the light or the vertex is close to the plane, the denominator where the vertex is almost
 //! level with the light, the numerator where the shadow lies close to the origin but the vertex does not. In
 //! plain doubles ([`cast_by_quotient`], [`cast_by_parameter`], [`shadow_matrix`]) the error is ε times the terms
-//! that cancelled. Move the origin close to the scene first; where that is not enough, use [`cast`].
+//! that cancelled. Far from the origin the matrix loses twice as many digits as the quotient: its last column holds
+//! products of two large numbers. Move the origin close to the scene first; where that is not enough, use [`cast`].
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/planar-similar-triangles.svg"))]
 

@@ -168,6 +168,7 @@ pub fn cast_counted(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count)
 }
 
 /// The light with w ≥ 0: −L is the same place.
+#[inline]
 pub(super) fn towards_place(light: DVec4) -> DVec4 {
     if light.w < 0.0 { -light } else { light }
 }

@@ -40,12 +40,14 @@ use super::exact_cast::towards_place;
 /// # References
 ///
 /// Bologna, «Ombre su piani»; Olomouc, «Zdroj světla v bodě».
+#[inline]
 #[must_use]
 pub fn cast_by_quotient(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
     cast_by_quotient_counted(plane, light, v, &mut ())
 }
 
 /// [`cast_by_quotient`], counting its arithmetic.
+#[inline]
 #[must_use]
 pub fn cast_by_quotient_counted(
     plane: Plane,
@@ -54,17 +56,12 @@ pub fn cast_by_quotient_counted(
     work: &mut impl Count,
 ) -> Option<DVec3> {
     let light = towards_place(light);
-    let (s, t) = heights(plane, light, v, work);
-    let w = s - light.w * t;
-    work.add(Counter::Multiplications, 1);
-    work.add(Counter::Additions, 1);
+    let [s, t, w] = heights(plane, light, v, work);
     if !casts(s, t, w) {
         return None;
     }
-    let p = (s * v - t * light.truncate()) / w;
-    work.add(Counter::Multiplications, 6);
-    work.add(Counter::Additions, 3);
-    work.add(Counter::Divisions, 3);
+    let numerator = minus(times(s, v, work), times(t, light.truncate(), work), work);
+    let p = over(numerator, w, work);
     p.is_finite().then_some(p)
 }
 
@@ -97,12 +94,14 @@ pub fn cast_by_quotient_counted(
 /// # References
 ///
 /// Bologna, «Ombre su piani», general case; Olomouc, «Zdroj v nekonečnu», «Projekce na libovolnou plochu».
+#[inline]
 #[must_use]
 pub fn cast_by_parameter(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
     cast_by_parameter_counted(plane, light, v, &mut ())
 }
 
 /// [`cast_by_parameter`], counting its arithmetic.
+#[inline]
 #[must_use]
 pub fn cast_by_parameter_counted(
     plane: Plane,
@@ -111,48 +110,70 @@ pub fn cast_by_parameter_counted(
     work: &mut impl Count,
 ) -> Option<DVec3> {
     let light = towards_place(light);
-    let (s, t) = heights(plane, light, v, work);
-    let w = s - light.w * t;
-    work.add(Counter::Multiplications, 1);
-    work.add(Counter::Additions, 1);
+    let [s, t, w] = heights(plane, light, v, work);
     if !casts(s, t, w) {
         return None;
     }
+    work.add(Counter::Divisions, 1);
     let p = if light.w == 0.0 {
         let k = t / s;
-        work.add(Counter::Multiplications, 3);
-        work.add(Counter::Additions, 3);
-        work.add(Counter::Divisions, 1);
-        v - k * light.truncate()
+        minus(v, times(k, light.truncate(), work), work)
     } else {
-        let place = light.truncate() / light.w;
         let k = s / w;
-        work.add(Counter::Multiplications, 3);
-        work.add(Counter::Additions, 6);
-        work.add(Counter::Divisions, 4);
-        place + k * (v - place)
+        let place = over(light.truncate(), light.w, work);
+        plus(place, times(k, minus(v, place, work), work), work)
     };
     p.is_finite().then_some(p)
 }
 
-/// s = π·L and t = n·V + d.
-fn heights(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) -> (f64, f64) {
+/// s = π·L, t = n·V + d and s − L_w t.
+#[inline]
+fn heights(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) -> [f64; 3] {
     work.add(Counter::Vertices, 1);
-    work.add(Counter::Multiplications, 7);
-    work.add(Counter::Additions, 6);
-    (
-        plane.coefficients().dot(light),
-        plane.normal.dot(v) + plane.d,
-    )
+    let s = plane.coefficients().dot(light);
+    work.add(Counter::Multiplications, 4);
+    work.add(Counter::Additions, 3);
+    let t = plane.normal.dot(v) + plane.d;
+    work.add(Counter::Multiplications, 3);
+    work.add(Counter::Additions, 3);
+    let w = s - light.w * t;
+    work.add(Counter::Multiplications, 1);
+    work.add(Counter::Additions, 1);
+    [s, t, w]
 }
 
 /// A true shadow: the vertex on the light's side of the plane or on it, and nearer to it than the light.
+#[inline]
 fn casts(s: f64, t: f64, w: f64) -> bool {
     if s < 0.0 {
         t <= 0.0 && w < 0.0
     } else {
         s > 0.0 && t >= 0.0 && w > 0.0
     }
+}
+
+#[inline]
+fn times(k: f64, v: DVec3, work: &mut impl Count) -> DVec3 {
+    work.add(Counter::Multiplications, 3);
+    k * v
+}
+
+#[inline]
+fn over(v: DVec3, divisor: f64, work: &mut impl Count) -> DVec3 {
+    work.add(Counter::Divisions, 3);
+    v / divisor
+}
+
+#[inline]
+fn plus(a: DVec3, b: DVec3, work: &mut impl Count) -> DVec3 {
+    work.add(Counter::Additions, 3);
+    a + b
+}
+
+#[inline]
+fn minus(a: DVec3, b: DVec3, work: &mut impl Count) -> DVec3 {
+    work.add(Counter::Additions, 3);
+    a - b
 }
 
 #[cfg(test)]

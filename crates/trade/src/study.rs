@@ -1,0 +1,116 @@
+//! What a study is made of: sweeps of questions, and the techniques that answer them.
+
+use core::hint::black_box;
+use std::rc::Rc;
+
+use ombra_math::work::Work;
+
+use crate::deviation::Deviation;
+use crate::report::Measured;
+
+/// How much time a run may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// Few inputs and rounds: seconds.
+    Quick,
+    /// What results are published from.
+    Full,
+}
+
+impl Effort {
+    /// One of two values.
+    #[must_use]
+    pub fn choose<T>(self, quick: T, full: T) -> T {
+        match self {
+            Effort::Quick => quick,
+            Effort::Full => full,
+        }
+    }
+
+    /// Interleaved rounds, each of which times every case once.
+    #[must_use]
+    pub fn rounds(self) -> usize {
+        self.choose(7, 31)
+    }
+}
+
+/// Techniques that trade speed for accuracy, and what they are asked.
+pub struct Study {
+    /// Its name on the command line and in files: `planar-precision`.
+    pub id: &'static str,
+    /// One line for lists.
+    pub summary: &'static str,
+    /// One of the things worked on: `vertex`. Times are for one of them.
+    pub unit: &'static str,
+    /// What the error is, for the axes of charts: `relative error`.
+    pub error: &'static str,
+    /// Makes inputs and cases, the same every time.
+    pub sweeps: fn(Effort) -> Vec<Sweep>,
+    /// One sentence from the numbers.
+    pub advice: fn(&[Measured]) -> String,
+}
+
+/// One question over a range: of inputs (a question for each) or of the techniques' own knob (all in one question).
+pub struct Sweep {
+    /// Part of file names: `towards-plane`.
+    pub name: &'static str,
+    /// What is turned, for the table and the axis: `height of the light / its distance`.
+    pub knob: &'static str,
+    /// From easy to hard.
+    pub questions: Vec<Question>,
+    /// The place, among the questions, of the one whose cost is charted against its error.
+    pub charted: usize,
+}
+
+/// One set of inputs with its ground truth, put to several techniques.
+pub struct Question {
+    /// What the inputs are, for the table.
+    pub inputs: String,
+    /// How many units one answer works on.
+    pub units: usize,
+    /// Who answers. The first is the baseline: the others' times are divided by its time.
+    pub cases: Vec<Case>,
+}
+
+/// One technique with its knob at one setting.
+pub struct Case {
+    pub(crate) technique: &'static str,
+    pub(crate) setting: f64,
+    pub(crate) answer: Box<dyn Fn()>,
+    pub(crate) judge: Box<dyn Fn() -> Option<(Work, Deviation)>>,
+}
+
+impl Case {
+    /// Names a technique, its knob's setting, the inputs, and the ground truth.
+    ///
+    /// - `timed` answers the whole question and counts nothing (it passes `&mut ()`): the clock sees only this.
+    /// - `counted` does the same with a counter, which adds up where the operations happen.
+    /// - `judge` compares answers with a truth that owes nothing to the technique.
+    ///
+    /// `timed` and `counted` must give equal answers, and the run checks that they do; so the errors are those of the
+    /// answers that were timed. What is to stay outside the clock belongs into `inputs`. An answer that is no number
+    /// is better given as `None`: NaN is not equal to itself.
+    pub fn new<I: 'static, A: PartialEq + 'static>(
+        technique: &'static str,
+        setting: f64,
+        inputs: &Rc<I>,
+        timed: fn(&I) -> A,
+        counted: fn(&I, &mut Work) -> A,
+        judge: fn(&I, &A) -> Deviation,
+    ) -> Self {
+        let (clocked, judged) = (Rc::clone(inputs), Rc::clone(inputs));
+        Self {
+            technique,
+            setting,
+            // The optimiser may know neither the inputs nor that nobody reads the answers.
+            answer: Box::new(move || {
+                black_box(timed(black_box(&clocked)));
+            }),
+            judge: Box::new(move || {
+                let mut work = Work::default();
+                let answers = counted(&judged, &mut work);
+                (timed(&judged) == answers).then(|| (work, judge(&judged, &answers)))
+            }),
+        }
+    }
+}
