@@ -111,6 +111,10 @@ counters! {
     additions Additions "additions";
     /// Divisions.
     divisions Divisions "divisions";
+    /// Roundings of a number to an integer.
+    roundings Roundings "roundings";
+    /// Comparisons of numbers.
+    comparisons Comparisons "comparisons";
     /// Decisions or results that needed exact arithmetic.
     exact_fallbacks ExactFallbacks "exact fallbacks";
 }
@@ -149,7 +153,7 @@ mod tests {
         }
         assert_eq!(
             (work.fragments, work.depth_tests, work.exact_fallbacks),
-            (1, 2, 12)
+            (1, 2, 14)
         );
     }
 
