@@ -1,6 +1,6 @@
 //! Compares of numbers and vectors within a stated bound.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// Whether two vectors differ by at most `bound` in every coordinate. NaN is near nothing.
 #[must_use]
@@ -82,6 +82,27 @@ pub fn show(v: DVec3) -> String {
     format!("({x}, {y}, {z})")
 }
 
+/// A point in the plane as the lecture writes it: `(x, y)`.
+#[must_use]
+pub fn show_point(p: DVec2) -> String {
+    let [x, y] = p.to_array().map(show_number);
+    format!("({x}, {y})")
+}
+
+/// The vertices of a polygon, one after another.
+#[must_use]
+pub fn show_points(polygon: &[DVec2]) -> String {
+    if polygon.is_empty() {
+        return "nothing".to_owned();
+    }
+    polygon
+        .iter()
+        .copied()
+        .map(show_point)
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
 /// A number in full where it has few digits before or after the point, else with a power of ten.
 fn show_number(x: f64) -> String {
     if x == 0.0 || !x.is_finite() || (1e-4..1e12).contains(&x.abs()) {
@@ -152,6 +173,9 @@ mod tests {
     fn numbers_stay_short() {
         let v = DVec3::new(-0.5, 1e-150, 2.5e12);
         assert_eq!(show(v), "(-0.5, 1e-150, 2.5e12)");
+        assert_eq!(show_point(v.truncate()), "(-0.5, 1e-150)");
+        assert_eq!(show_points(&[DVec2::X, DVec2::Y]), "(1, 0) (0, 1)");
+        assert_eq!(show_points(&[]), "nothing");
         assert_eq!(
             show(DVec3::new(0.0, f64::NAN, f64::INFINITY)),
             "(0, NaN, inf)"

@@ -81,6 +81,25 @@ impl Grid {
         }
     }
 
+    /// Fails unless exactly the pixels `(x, y)` that are `wanted` were plotted; as [`Grid::assert_is`].
+    ///
+    /// # Panics
+    ///
+    /// When the pictures differ, with the difference.
+    #[track_caller]
+    pub fn assert_where(&self, what: &str, wanted: impl Fn(i32, i32) -> bool) {
+        let height = self.counts.len() / self.width.max(1);
+        let rows: Vec<String> = (0..)
+            .take(height)
+            .map(|y| {
+                let row = (0..).take(self.width);
+                row.map(|x| if wanted(x, y) { '#' } else { '.' }).collect()
+            })
+            .collect();
+        let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+        self.assert_is(what, &rows);
+    }
+
     /// Fails when a pixel was plotted more than once.
     ///
     /// # Panics
@@ -131,6 +150,16 @@ mod tests {
     )]
     fn a_difference_is_drawn() {
         Grid::of(3, 2, [(0, 0), (0, 1), (2, 1)]).assert_is("a step", &["##.", "..#"]);
+    }
+
+    #[test]
+    #[should_panic(
+        expected = "a step: 1 missing, 0 extra (# right, ? missing, ! extra)\n##.\n..?\n"
+    )]
+    fn a_difference_from_a_rule_is_drawn() {
+        let step = Grid::of(3, 2, [(0, 0), (1, 0)]);
+        step.assert_where("a step", |x, y| y == 0 && x < 2);
+        step.assert_where("a step", |x, y| (x < 2) == (y == 0));
     }
 
     #[test]

@@ -1,14 +1,19 @@
 //! What the tests of the exercises share: compares whose message says what differs and by how much, pictures
-//! of characters, step budgets that stop a loop without an end, and inputs that no file shows.
+//! of characters, the pixels of a segment, step budgets that stop a loop without an end, and inputs that no file
+//! shows.
 //!
 //! Every check panics when it fails, and names the line of the test that called it.
 
 mod compare;
 mod grid;
 mod inputs;
+mod segment;
 mod steps;
+mod windows;
 
-pub use compare::{is_near, near, near_number, parallel, show, some};
+pub use compare::{is_near, near, near_number, parallel, show, show_point, show_points, some};
 pub use grid::Grid;
 pub use inputs::Inputs;
-pub use steps::{Steps, collect_within};
+pub use segment::Segment;
+pub use steps::{Steps, calls_within, collect_within, first_calls};
+pub use windows::WindowCase;

@@ -1,5 +1,7 @@
 //! Step budgets: a loop that never ends is stopped and told so.
 
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+
 /// A number of steps that an algorithm may take.
 ///
 /// A callback that the student's loop must call, a pixel plotted or a node visited, takes one step each.
@@ -54,9 +56,92 @@ pub fn collect_within<T>(what: &str, limit: usize, items: impl IntoIterator<Item
     collected
 }
 
+/// What `run` hands to its callback, at most `limit` times.
+///
+/// # Panics
+///
+/// When it calls more often.
+#[track_caller]
+pub fn calls_within<T>(what: &str, limit: usize, run: impl FnOnce(&mut dyn FnMut(T))) -> Vec<T> {
+    let mut steps = Steps::new(limit);
+    let mut calls = Vec::new();
+    run(&mut |call| {
+        steps.take(what);
+        calls.push(call);
+    });
+    calls
+}
+
+/// What `run` hands to its callback in the first `limit` calls; there it is stopped, however many would follow.
+///
+/// So the beginning of a segment of 2³² pixels can be looked at. `Err` with Rust's own words where a number
+/// of `run` overflows; any other panic goes on.
+pub fn first_calls<T>(limit: usize, run: impl FnOnce(&mut dyn FnMut(T))) -> Result<Vec<T>, String> {
+    struct Enough;
+    let mut calls = Vec::new();
+    let mut take = |call| {
+        calls.push(call);
+        if calls.len() >= limit {
+            // Unwinds without a message: nothing went wrong.
+            resume_unwind(Box::new(Enough));
+        }
+    };
+    match catch_unwind(AssertUnwindSafe(|| run(&mut take))) {
+        Err(panic) if !panic.is::<Enough>() => {
+            let said = match panic.downcast_ref::<String>() {
+                Some(said) => said.as_str(),
+                None => panic.downcast_ref::<&str>().copied().unwrap_or(""),
+            };
+            if said.ends_with("with overflow") {
+                return Err(said.to_owned());
+            }
+            resume_unwind(panic);
+        }
+        _ => Ok(calls),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn calls_within_the_limit_are_kept() {
+        assert_eq!(
+            calls_within("counting", 2, |take| (0..2).for_each(take)),
+            [0, 1]
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "counting: 2 steps were enough and the loop still runs")]
+    fn calls_beyond_the_limit_are_stopped() {
+        calls_within("counting", 2, |take| (0..9).for_each(take));
+    }
+
+    #[test]
+    fn first_calls_stop_a_long_run() {
+        let run = |take: &mut dyn FnMut(u64)| (0..u64::MAX).for_each(take);
+        assert_eq!(first_calls(3, run), Ok(vec![0, 1, 2]));
+        assert_eq!(first_calls(9, |take| (0..2).for_each(take)), Ok(vec![0, 1]));
+        assert_eq!(first_calls::<u8>(9, |_| ()), Ok(Vec::new()));
+    }
+
+    #[test]
+    fn first_calls_tell_an_overflow() {
+        let overflow = |_: &mut dyn FnMut(u8)| panic!("attempt to add with overflow");
+        let said = "attempt to add with overflow".to_owned();
+        assert_eq!(first_calls(9, overflow), Err(said));
+    }
+
+    #[test]
+    #[should_panic(expected = "another reason")]
+    fn first_calls_pass_other_panics_on() {
+        let _ = first_calls(9, |take: &mut dyn FnMut(u8)| {
+            take(1);
+            panic!("for another reason");
+        });
+    }
 
     #[test]
     fn a_budget_allows_its_limit() {

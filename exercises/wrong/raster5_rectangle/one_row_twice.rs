@@ -1,0 +1,21 @@
+// rejected by thin_rectangles: in a single row or column two sides are the same
+use glam::IVec2;
+
+fn outline(min: IVec2, max: IVec2, plot: &mut dyn FnMut(i32, i32)) {
+    for x in min.x..=max.x {
+        plot(x, min.y);
+        plot(x, max.y);
+    }
+    for y in min.y + 1..max.y {
+        plot(min.x, y);
+        plot(max.x, y);
+    }
+}
+
+fn fill(min: IVec2, max: IVec2, plot: &mut dyn FnMut(i32, i32)) {
+    for y in min.y..=max.y {
+        for x in min.x..=max.x {
+            plot(x, y);
+        }
+    }
+}
