@@ -169,6 +169,27 @@ mod tests {
     }
 
     #[test]
+    fn the_first_axis_is_the_one_most_along_the_plane() {
+        // Lights and objects that cast on each plane; extents 2, 4 and 6 along x, y and z.
+        let points = [DVec3::ZERO, DVec3::new(2.0, 4.0, 6.0)];
+        let behind = DVec3::splat(-50.0);
+        let slanted = DVec3::new(0.6, 0.0, 0.8);
+        for (normal, u, v) in [
+            (DVec3::Y, DVec3::X, DVec3::Z * 3.0),
+            (DVec3::Z, DVec3::X, DVec3::Y * -2.0),
+            (DVec3::X, DVec3::Z * 3.0, DVec3::Y * 2.0),
+            (slanted, DVec3::Y * 2.0, DVec3::ZERO),
+        ] {
+            let plane = Plane::through(behind, normal).unwrap();
+            let e = ellipse(&points, plane, normal.extend(0.0)).unwrap();
+            assert_eq!(e.u, u, "{normal}");
+            if v != DVec3::ZERO {
+                assert_eq!(e.v, v, "{normal}");
+            }
+        }
+    }
+
+    #[test]
     fn a_quarter_turn_leads_from_u_to_v() {
         let e = Ellipse {
             center: DVec3::ONE,
