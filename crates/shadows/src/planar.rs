@@ -4,6 +4,8 @@
 //! and as a parameter along the ray; they differ in cost and in the digits they lose ([`cast`] loses none). A
 //! shadow is only true where the vertex lies between the light and the plane: the matrix does not know that,
 //! [`cast`] and [`cast_polygon`] do.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/planar-similar-triangles.svg"))]
 //!
 //! # Where digits are lost
 //!
@@ -16,8 +18,6 @@
 //! plain doubles ([`cast_by_quotient`], [`cast_by_parameter`], [`shadow_matrix`]) the error is ε times the terms
 //! that cancelled. Far from the origin the matrix loses twice as many digits as the quotient: its last column holds
 //! products of two large numbers. Move the origin close to the scene first; where that is not enough, use [`cast`].
-#![cfg_attr(doc, doc = "")]
-#![cfg_attr(doc, doc = include_str!("../figures/planar-similar-triangles.svg"))]
 
 mod exact_cast;
 mod matrix;

@@ -74,8 +74,8 @@ impl core::error::Error for PlanarShadowError {}
 ///   positive) and w ≤ 0, and no false shadow is left.
 /// - M L = 0, and M V = s V for V on the plane.
 /// - The diagonal is summed without the term that cancels. Each entry is within 2ε of its terms.
-/// - A matrix with an entry that would overflow, or vanish although its product is not zero, is scaled by a power of
-///   two (as a homogeneous matrix it is the same).
+/// - A matrix with an entry that would overflow, or underflow and lose digits, is scaled by a power of two (as a
+///   homogeneous matrix it is the same).
 ///
 /// # Pitfalls
 ///
