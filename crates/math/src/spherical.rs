@@ -2,6 +2,8 @@
 //! and solid angles that a range of θ and φ covers.
 //!
 //! All angles are in radians. A direction is (θ, φ) alone, a point of the unit sphere.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/spherical.svg"))]
 
 use core::f64::consts::TAU;
 use core::ops::Range;

@@ -3,6 +3,8 @@
 //! Right-handed, column vectors, OpenGL clip space: the eye looks along −z, a point is seen where
 //! −w ≤ x, y, z ≤ w. Angles are in radians. All but the viewport are `DMat4`, to be multiplied from the left:
 //! projection · view · world.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/frustum.svg"))]
 
 use crate::exact::Sum;
 use crate::triangle::{scaled_cross, unit};

@@ -49,7 +49,7 @@ pub struct Options {
     /// Folder to write into
     #[arg(long, default_value = "target/figures", value_name = "DIR")]
     out: PathBuf,
-    /// Rewrites the small SVGs committed with the crates; run from the repository's root
+    /// Rewrites the small SVGs committed with the crates and the notes; run from the repository's root
     #[arg(long, conflicts_with_all = ["select", "format", "size", "theme", "lang", "background", "light", "plane", "mesh", "text", "caption", "out"])]
     docs: bool,
 }
@@ -122,13 +122,22 @@ pub fn formats(text: &str) -> Result<Vec<Format>, FigureError> {
 
 /// An option that no chosen figure takes is a mistake worth telling.
 fn refuse_what_none_takes(chosen: &[&Figure], inputs: &Inputs) -> Result<(), FigureError> {
-    let given: [(&str, bool, fn(&Takes) -> bool); 3] = [
-        ("--light", inputs.light.is_some(), |takes| takes.light),
-        ("--plane", inputs.plane.is_some(), |takes| takes.plane),
-        ("--mesh", inputs.mesh.is_some(), |takes| takes.mesh),
+    let taken = |takes: fn(&Takes) -> bool| chosen.iter().any(|figure| takes(&figure.takes));
+    let given = [
+        (
+            "--light",
+            inputs.light.is_some(),
+            taken(|takes| takes.light),
+        ),
+        (
+            "--plane",
+            inputs.plane.is_some(),
+            taken(|takes| takes.plane),
+        ),
+        ("--mesh", inputs.mesh.is_some(), taken(|takes| takes.mesh)),
     ];
-    for (option, given, takes) in given {
-        if given && !chosen.iter().any(|figure| takes(&figure.takes)) {
+    for (option, given, taken) in given {
+        if given && !taken {
             let ids: Vec<_> = chosen.iter().map(|figure| figure.id).collect();
             let reason = format!(
                 "{option} moves nothing in {}: 'ombra list' says which figures take it",
@@ -145,7 +154,7 @@ fn docs() -> Result<(), String> {
     if !root.join("crates/figures").is_dir() {
         let here = std::env::current_dir().unwrap_or_default();
         return Err(format!(
-            "--docs rewrites crates/*/figures and must be run in the repository's root, not in {}",
+            "--docs rewrites crates/*/figures and notes/src/figures, and must be run in the repository's root, not in {}",
             here.display()
         ));
     }
