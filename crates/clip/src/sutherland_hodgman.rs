@@ -3,9 +3,16 @@
 //! Walk round the polygon. A vertex inside is kept; where an edge passes from one side to the other, the point
 //! where it crosses is put in. What comes out is a polygon again, ready for the next side.
 
-use ombra_math::glam::{DVec3, DVec4};
+use ombra_math::exact::dot;
+use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::homogeneous::incidence;
 use ombra_math::plane::Plane;
+
+use crate::crossing::between_products;
+
+mod window;
+
+pub use window::{clip_polygon, clip_polygon_counted};
 
 /// The part of a closed polygon where `side` is not negative.
 ///
@@ -51,7 +58,7 @@ use ombra_math::plane::Plane;
 ///
 /// # References
 ///
-/// Grafica 3, «Clipping di poligoni». I. E. Sutherland, G. W. Hodgman, «Reentrant polygon clipping», 1974.
+/// Grafica 3, «Clipping di un poligono». I. E. Sutherland, G. W. Hodgman, «Reentrant polygon clipping», 1974.
 #[must_use]
 pub fn clip_by<V: Copy + PartialEq>(
     polygon: &[V],
@@ -89,6 +96,114 @@ pub fn clip_by<V: Copy + PartialEq>(
     if kept.len() < 3 { Vec::new() } else { kept }
 }
 
+/// The points p with n·p ≥ offset.
+///
+/// # Formula
+///
+/// ```text
+/// n·p = n_x x + n_y y ≥ offset          n points inside, and need not be of unit length
+/// ```
+///
+/// # Properties
+///
+/// The border n·p = offset belongs to it. With a zero normal it is the whole plane or nothing.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_clip::sutherland_hodgman::HalfPlane;
+/// use ombra_math::glam::DVec2;
+///
+/// // x ≤ 10
+/// let left_of_10 = HalfPlane { normal: -DVec2::X, offset: -10.0 };
+/// assert!(left_of_10.contains(DVec2::new(10.0, 3.0)));
+/// assert!(!left_of_10.contains(DVec2::new(10.000001, 3.0)));
+/// ```
+///
+/// # References
+///
+/// Grafica 3, «Clipping di un poligono»: the polygon against one line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfPlane {
+    /// n, towards the inside.
+    pub normal: DVec2,
+    /// n·Q for a point Q of the line.
+    pub offset: f64,
+}
+
+impl HalfPlane {
+    /// Whether n·p ≥ offset: exact, and never for NaN or ∞.
+    #[must_use]
+    pub fn contains(&self, p: DVec2) -> bool {
+        self.side(p) >= 0.0
+    }
+
+    /// A number with the sign of n·p − offset; NaN if a coordinate is not finite.
+    fn side(&self, p: DVec2) -> f64 {
+        let (normal, offset) = (self.normal, self.offset);
+        let line = DVec4::new(normal.x, normal.y, offset, 0.0);
+        dot(line, DVec4::new(p.x, p.y, -1.0, 0.0)).0
+    }
+
+    /// n·p − offset as a sum of products.
+    fn products(&self, p: DVec2) -> [[f64; 2]; 3] {
+        [
+            [self.normal.x, p.x],
+            [self.normal.y, p.y],
+            [self.offset, -1.0],
+        ]
+    }
+}
+
+/// The part of a polygon on one side of a line.
+///
+/// # Formula
+///
+/// ```text
+/// inside: n·p ≥ offset          crossing: p = (s_A B − s_B A) / (s_A − s_B),  s = n·p − offset
+/// ```
+///
+/// # Properties
+///
+/// Which side a vertex lies on is exact; both coordinates of a crossing are nearest doubles, so for an upright or
+/// level line crossings lie on it exactly. Vertices inside are kept unchanged and in order. Empty where nothing but an
+/// edge or a vertex is left, or a number is not finite.
+///
+/// # Pitfalls
+///
+/// See [`clip_by`] for concave polygons. For a line at an angle the nearest double may lie beyond it, by rounding of
+/// its coordinates: no double may lie on it at all.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_clip::sutherland_hodgman::{HalfPlane, clip_against_line};
+/// use ombra_math::glam::DVec2;
+///
+/// let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)].map(DVec2::from);
+/// let below_diagonal = HalfPlane { normal: DVec2::new(-1.0, -1.0), offset: -4.0 }; // x + y ≤ 4
+/// let half = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(DVec2::from);
+/// assert_eq!(clip_against_line(&square, below_diagonal), half);
+/// ```
+///
+/// # References
+///
+/// Grafica 3, «Clipping di un poligono».
+#[must_use]
+pub fn clip_against_line(polygon: &[DVec2], half: HalfPlane) -> Vec<DVec2> {
+    clip_by(
+        polygon,
+        |p| half.side(p),
+        |a, b, _, _| {
+            let (sa, sb) = (half.products(a), half.products(b));
+            DVec2::new(
+                between_products(&sa, &sb, [a.x, b.x]),
+                between_products(&sa, &sb, [a.y, b.y]),
+            )
+        },
+    )
+}
+
 /// The part of a polygon in space that lies in front of `plane` or on it.
 ///
 /// # Formula
@@ -121,7 +236,7 @@ pub fn clip_by<V: Copy + PartialEq>(
 ///
 /// # References
 ///
-/// Grafica 3, «Clipping di poligoni»; Croatian 8.4, projected shadows (an object behind the plane).
+/// Grafica 3, «Clipping di un poligono»; Croatian 8.4, projected shadows (an object behind the plane).
 #[must_use]
 pub fn clip_against_plane(polygon: &[DVec3], plane: &Plane) -> Vec<DVec3> {
     clip_by(
@@ -174,7 +289,7 @@ pub fn clip_against_plane(polygon: &[DVec3], plane: &Plane) -> Vec<DVec3> {
 ///
 /// # References
 ///
-/// CIS 781, «Avoiding far plane clipping»; Grafica 3, «Clipping di poligoni». J. F. Blinn, M. E. Newell,
+/// CIS 781, «Avoiding far plane clipping»; Grafica 3, «Clipping di un poligono». J. F. Blinn, M. E. Newell,
 /// «Clipping using homogeneous coordinates», 1978.
 #[must_use]
 pub fn clip_homogeneous(polygon: &[DVec4], plane: DVec4) -> Vec<DVec4> {
@@ -222,6 +337,75 @@ mod tests {
             sum += exact(a.x) * exact(b.y) - exact(a.y) * exact(b.x);
         }
         sum
+    }
+
+    fn points<const N: usize>(p: [(f64, f64); N]) -> Vec<DVec2> {
+        p.map(DVec2::from).to_vec()
+    }
+
+    #[test]
+    fn the_lectures_triangle_against_one_line_then_four() {
+        let line = |normal, offset| HalfPlane { normal, offset };
+        let triangle = points([(5.0, 5.0), (15.0, 5.0), (5.0, 15.0)]);
+        let one = clip_against_line(&triangle, line(-DVec2::X, -10.0));
+        assert_eq!(
+            one,
+            points([(5.0, 5.0), (10.0, 5.0), (10.0, 10.0), (5.0, 15.0)])
+        );
+        let mut four = one;
+        for side in [
+            line(DVec2::X, 0.0),
+            line(DVec2::Y, 0.0),
+            line(-DVec2::Y, -10.0),
+        ] {
+            four = clip_against_line(&four, side);
+        }
+        four.rotate_left(1);
+        assert_eq!(
+            four,
+            points([(5.0, 5.0), (10.0, 5.0), (10.0, 10.0), (5.0, 10.0)])
+        );
+    }
+
+    #[test]
+    fn degenerate_lines() {
+        let square = points([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        let line = |x, y, offset| HalfPlane {
+            normal: DVec2::new(x, y),
+            offset,
+        };
+        let huge = f64::MAX;
+        let cases = [
+            // No normal: all or nothing.
+            (line(0.0, 0.0, 0.0), square.clone()),
+            (line(0.0, 0.0, 1.0), vec![]),
+            // Along a side, through a corner only, through two corners.
+            (line(1.0, 0.0, 0.0), square.clone()),
+            (line(1.0, 0.0, 4.0), vec![]),
+            (line(-1.0, -1.0, 0.0), vec![]),
+            (line(1.0, -1.0, 0.0), square[..3].to_vec()),
+            (
+                line(huge, huge, huge),
+                points([(0.0, 1.0), (1.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]),
+            ),
+            (
+                line(5e-324, 0.0, 1e-323),
+                points([(2.0, 0.0), (4.0, 0.0), (4.0, 4.0), (2.0, 4.0)]),
+            ),
+        ];
+        for (half, expected) in cases {
+            assert_eq!(clip_against_line(&square, half), expected, "{half:?}");
+        }
+        for bad in [f64::NAN, f64::INFINITY] {
+            for half in [
+                line(bad, 0.0, 0.0),
+                line(0.0, bad, 0.0),
+                line(1.0, 0.0, bad),
+            ] {
+                assert_eq!(clip_against_line(&square, half), []);
+            }
+            assert!(!line(1.0, 0.0, 0.0).contains(DVec2::new(bad, 0.0)));
+        }
     }
 
     #[test]
@@ -354,12 +538,51 @@ mod tests {
         }
 
         #[test]
+        fn crossings_with_a_line_are_nearest_doubles(polygon in crate::oracle::polygon(), n in (-5i32..6, -5i32..6), at in 0usize..14, i in -2i64..3) {
+            use crate::oracle::{beside, is_nearest};
+            prop_assume!(n != (0, 0));
+            let normal = DVec2::new(n.0.into(), n.1.into());
+            // Through one of the vertices, or next to it.
+            let through = polygon[at % polygon.len()];
+            prop_assume!(through.length() < 1e300);
+            let half = HalfPlane { normal, offset: beside(normal.dot(through), i) };
+            let zero = BigRational::from_integer(BigInt::from(0));
+            let side = |p: DVec2| exact(normal.x) * exact(p.x) + exact(normal.y) * exact(p.y) - exact(half.offset);
+            let clipped = clip_against_line(&polygon, half);
+            // What the plain method keeps, in rationals.
+            let mut expected = Vec::new();
+            for (k, &a) in polygon.iter().enumerate() {
+                let b = polygon[(k + 1) % polygon.len()];
+                let (s, t) = (side(a), side(b));
+                if s >= zero {
+                    expected.push([exact(a.x), exact(a.y)]);
+                }
+                if &s * &t < zero {
+                    let share = &s / (&s - &t);
+                    expected.push([[a.x, b.x], [a.y, b.y]].map(|[p, q]| exact(p) + &share * (exact(q) - exact(p))));
+                }
+            }
+            let near = |p: &DVec2, e: &[BigRational; 2]| is_nearest(p.x, &e[0]) && is_nearest(p.y, &e[1]);
+            prop_assert!(clipped.iter().all(|p| expected.iter().any(|e| near(p, e))));
+            prop_assert!(clipped.is_empty() || expected.iter().all(|e| clipped.iter().any(|p| near(p, e))));
+            if clipped.is_empty() {
+                // Nothing but at most two different points.
+                expected.sort();
+                expected.dedup_by(|e, f| (0..2).all(|k| &e[k] - &f[k] < exact(1e-9) && &f[k] - &e[k] < exact(1e-9)));
+                prop_assert!(expected.len() < 3, "{expected:?}");
+            }
+        }
+
+        #[test]
         fn never_panics(x in prop::collection::vec(proptest::num::f64::ANY, 16), n in 0usize..4) {
             let p4: Vec<_> = x.chunks_exact(4).map(DVec4::from_slice).collect();
             let p3: Vec<_> = p4.iter().map(|p| p.truncate()).collect();
             let plane = Plane { normal: p3[n], d: x[n] };
             prop_assert!(clip_against_plane(&p3, &plane).iter().all(|p| !p.is_nan()));
             let _ = clip_homogeneous(&p4, p4[n]);
+            let p2: Vec<_> = p4.iter().map(|p| p.truncate().truncate()).collect();
+            let half = HalfPlane { normal: p2[n], offset: x[n] };
+            prop_assert!(clip_against_line(&p2, half).iter().all(|p| !p.is_nan()));
         }
 
         #[test]
