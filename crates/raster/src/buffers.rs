@@ -1,0 +1,328 @@
+//! Pixel buffers: colour, depth and stencil, each an [`image::ImageBuffer`].
+//!
+//! A pixel is a sample, not a little square: a buffer is a table of values at the centres (i + ½, j + ½), row 0
+//! at the top. It is made by [`new`], which checks the size before it allocates, and spans are written into it as
+//! runs by [`paint`].
+
+use core::fmt;
+
+use image::{ImageBuffer, Luma, Pixel, Rgb, Rgba};
+
+use crate::span::Span;
+
+pub use image;
+
+/// Colours as they are stored, 8 bits a channel with opacity.
+pub type ColourBuffer = ImageBuffer<Rgba<u8>, Vec<u8>>;
+/// Linear colours, as lighting computes them.
+pub type LinearColourBuffer = ImageBuffer<Rgb<f32>, Vec<f32>>;
+/// Depth in floating point.
+pub type DepthBuffer32F = ImageBuffer<Luma<f32>, Vec<f32>>;
+/// Depth in 16 bits.
+pub type DepthBuffer16 = ImageBuffer<Luma<u16>, Vec<u16>>;
+/// Depth in 24 bits, each pixel the [`U24::get`] of a [`U24`].
+pub type DepthBuffer24 = ImageBuffer<Luma<u32>, Vec<u32>>;
+/// Stencil: a count or a mark of 8 bits.
+pub type StencilBuffer = ImageBuffer<Luma<u8>, Vec<u8>>;
+
+/// Most bytes that [`new`] allocates: 2³⁰, a picture of 16 384 × 16 384 pixels of 4 bytes.
+pub const MAX_BYTES: u64 = 1 << 30;
+
+/// An integer of 24 bits, kept in 32.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_raster::buffers::U24;
+///
+/// assert_eq!(U24::new(0xff_ffff), Some(U24::MAX));
+/// assert_eq!(U24::new(0x100_0000), None);
+/// assert_eq!(U24::MAX.get(), 16_777_215);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct U24(u32);
+
+impl U24 {
+    /// 2²⁴ − 1.
+    pub const MAX: Self = Self((1 << 24) - 1);
+
+    /// `value`, or `None` if it needs more than 24 bits.
+    #[must_use]
+    pub const fn new(value: u32) -> Option<Self> {
+        if value <= Self::MAX.0 {
+            Some(Self(value))
+        } else {
+            None
+        }
+    }
+
+    /// The value.
+    #[must_use]
+    pub const fn get(self) -> u32 {
+        self.0
+    }
+}
+
+/// Why a buffer is not made or not painted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BufferError {
+    /// The buffer would take more than [`MAX_BYTES`], or more than there is.
+    TooLarge {
+        /// Columns asked for.
+        width: u32,
+        /// Rows asked for.
+        height: u32,
+        /// Bytes of a pixel.
+        pixel_bytes: usize,
+    },
+    /// A span goes beyond the buffer.
+    Outside {
+        /// Row of the span.
+        y: u32,
+        /// Its first column.
+        start: u32,
+        /// The column after its last.
+        end: u32,
+        /// Columns of the buffer.
+        width: u32,
+        /// Rows of the buffer.
+        height: u32,
+    },
+}
+
+impl fmt::Display for BufferError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooLarge {
+                width,
+                height,
+                pixel_bytes,
+            } => write!(
+                f,
+                "a buffer of {width} × {height} pixels of {pixel_bytes} bytes is too large: \
+                 at most {MAX_BYTES} bytes are allowed"
+            ),
+            Self::Outside {
+                y,
+                start,
+                end,
+                width,
+                height,
+            } => write!(
+                f,
+                "the span of columns {start} to {end} in row {y} is outside the buffer of \
+                 {width} × {height} pixels"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for BufferError {}
+
+/// A buffer of `width` × `height` pixels, each `pixel`; a size of 0 is allowed.
+///
+/// # Errors
+///
+/// [`BufferError::TooLarge`], before anything is allocated.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_raster::buffers::{DepthBuffer32F, StencilBuffer, image::Luma, new};
+///
+/// let depth: DepthBuffer32F = new(640, 480, Luma([1.0])).unwrap();
+/// let stencil: StencilBuffer = new(640, 480, Luma([0])).unwrap();
+/// assert!(new(u32::MAX, u32::MAX, Luma([0u8])).is_err());
+/// # assert_eq!((depth.dimensions(), stencil.dimensions()), ((640, 480), (640, 480)));
+/// ```
+///
+/// # References
+///
+/// Grafica 3, «Algoritmo Z-Buffer», «Stencil Buffer», «Immagine come Funzione 2D».
+pub fn new<P: Pixel>(
+    width: u32,
+    height: u32,
+    pixel: P,
+) -> Result<ImageBuffer<P, Vec<P::Subpixel>>, BufferError> {
+    let pixel_bytes = size_of::<P::Subpixel>() * usize::from(P::CHANNEL_COUNT);
+    let too_large = BufferError::TooLarge {
+        width,
+        height,
+        pixel_bytes,
+    };
+    let pixels = allowed_pixels(width, height, pixel_bytes).ok_or(too_large)?;
+    let mut values = Vec::new();
+    let length = pixels * usize::from(P::CHANNEL_COUNT);
+    values.try_reserve_exact(length).map_err(|_| too_large)?;
+    match pixel.channels() {
+        &[value] => values.resize(length, value),
+        channels => {
+            for _ in 0..pixels {
+                values.extend_from_slice(channels);
+            }
+        }
+    }
+    ImageBuffer::from_raw(width, height, values).ok_or(too_large)
+}
+
+/// The number of pixels, if they take at most [`MAX_BYTES`].
+fn allowed_pixels(width: u32, height: u32, pixel_bytes: usize) -> Option<usize> {
+    let pixels = u64::from(width) * u64::from(height);
+    let bytes = pixels.checked_mul(pixel_bytes as u64)?;
+    (bytes <= MAX_BYTES).then_some(pixels as usize)
+}
+
+/// Writes `pixel` into every pixel of `spans`, a run at a time.
+///
+/// # Errors
+///
+/// [`BufferError::Outside`] for the first span that goes beyond the buffer; the spans before it are painted then.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::DVec2;
+/// use ombra_raster::buffers::{StencilBuffer, image::Luma, new, paint};
+/// use ombra_raster::triangle::cover;
+///
+/// let mut stencil: StencilBuffer = new(4, 3, Luma([0])).unwrap();
+/// let triangle = [DVec2::ZERO, DVec2::new(4.0, 0.0), DVec2::new(0.0, 4.0)];
+/// paint(&mut stencil, cover(triangle, 4, 3).unwrap(), Luma([1])).unwrap();
+/// assert_eq!(stencil.into_raw(), [
+///     1, 1, 1, 0,
+///     1, 1, 0, 0,
+///     1, 0, 0, 0,
+/// ]);
+/// ```
+pub fn paint<P: Pixel>(
+    buffer: &mut ImageBuffer<P, Vec<P::Subpixel>>,
+    spans: impl IntoIterator<Item = Span>,
+    pixel: P,
+) -> Result<(), BufferError> {
+    let (width, height) = buffer.dimensions();
+    let values: &mut [P::Subpixel] = buffer;
+    let channels = usize::from(P::CHANNEL_COUNT);
+    let row_length = width as usize * channels;
+    for Span { y, x } in spans {
+        let start = y as usize * row_length;
+        let run = if x.end <= width && y < height {
+            values.get_mut(start + x.start as usize * channels..start + x.end as usize * channels)
+        } else {
+            None
+        };
+        let Some(run) = run else {
+            return Err(BufferError::Outside {
+                y,
+                start: x.start,
+                end: x.end,
+                width,
+                height,
+            });
+        };
+        // Whole pixels of a known size are written many at a time.
+        match pixel.channels() {
+            &[v] => run.fill(v),
+            &[r, g, b] => run.as_chunks_mut().0.fill([r, g, b]),
+            &[r, g, b, a] => run.as_chunks_mut().0.fill([r, g, b, a]),
+            other => {
+                for pixel in run.chunks_exact_mut(channels.max(1)) {
+                    pixel.copy_from_slice(other);
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use image::LumaA;
+
+    #[test]
+    fn sizes_are_checked_first() {
+        for (width, height, pixel_bytes, allowed) in [
+            (1 << 15, 1 << 15, 1, true),
+            (1 << 15, (1 << 15) + 1, 1, false),
+            (1 << 14, 1 << 14, 4, true),
+            (1 << 14, 1 << 14, 5, false),
+            (u32::MAX, 0, usize::MAX, true),
+            (u32::MAX, u32::MAX, usize::MAX, false),
+        ] {
+            let pixels = allowed_pixels(width, height, pixel_bytes);
+            let expected = allowed.then_some(width as usize * height as usize);
+            assert_eq!(pixels, expected, "{width} {height} {pixel_bytes}");
+        }
+        for (width, height) in [((1 << 15) + 1, 1 << 15), (u32::MAX, u32::MAX)] {
+            let error = new(width, height, Luma([0u8])).unwrap_err();
+            assert_eq!(
+                error.to_string(),
+                format!(
+                    "a buffer of {width} × {height} pixels of 1 bytes is too large: \
+                     at most 1073741824 bytes are allowed"
+                )
+            );
+        }
+        // u32::MAX² · 16 bytes is more than a u64 holds.
+        assert!(new(u32::MAX, u32::MAX, Rgba([0f32; 4])).is_err());
+        for (width, height) in [(0, 0), (0, u32::MAX), (u32::MAX, 0)] {
+            let empty = new(width, height, Rgba([1u8, 2, 3, 4])).unwrap();
+            assert_eq!(empty.dimensions(), (width, height));
+        }
+    }
+
+    #[test]
+    fn every_kind_of_pixel_is_painted_whole() {
+        fn check<P: Pixel + PartialEq + fmt::Debug>(background: P, pixel: P) {
+            let mut buffer = new(5, 3, background).unwrap();
+            let spans = [
+                Span { y: 0, x: 0..5 },
+                Span { y: 2, x: 1..4 },
+                Span { y: 1, x: 5..5 },
+            ];
+            paint(&mut buffer, spans, pixel).unwrap();
+            for (x, y, &found) in buffer.enumerate_pixels() {
+                let painted = y == 0 || (y == 2 && (1..4).contains(&x));
+                assert_eq!(found, if painted { pixel } else { background }, "{x} {y}");
+            }
+        }
+        check(Luma([0u8]), Luma([9]));
+        check(Luma([1.0f32]), Luma([0.25]));
+        check(Luma([0u32]), Luma([U24::MAX.get()]));
+        check(LumaA([0u16, 1]), LumaA([2, 3]));
+        check(Rgb([0.0f32; 3]), Rgb([1.0, 2.0, 3.0]));
+        check(Rgba([0u8; 4]), Rgba([1, 2, 3, 4]));
+    }
+
+    #[test]
+    #[allow(clippy::reversed_empty_ranges)]
+    fn a_span_outside_is_named() {
+        let mut buffer: StencilBuffer = new(4, 3, Luma([0])).unwrap();
+        for (y, x) in [
+            (3, 0..1),
+            (0, 2..5),
+            (u32::MAX, 0..u32::MAX),
+            (0, 3..1),
+            (0, 5..5),
+        ] {
+            let (start, end) = (x.start, x.end);
+            let spans = [Span { y: 1, x: 0..1 }, Span { y, x }];
+            let error = paint(&mut buffer, spans, Luma([1])).unwrap_err();
+            let expected = BufferError::Outside {
+                y,
+                start,
+                end,
+                width: 4,
+                height: 3,
+            };
+            assert_eq!(error, expected);
+            assert_eq!(
+                error.to_string(),
+                format!(
+                    "the span of columns {start} to {end} in row {y} is outside the buffer of 4 × 3 pixels"
+                )
+            );
+        }
+        assert_eq!(buffer.as_raw().iter().filter(|&&v| v == 1).count(), 1);
+    }
+}

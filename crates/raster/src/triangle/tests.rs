@@ -1,0 +1,274 @@
+use super::*;
+use crate::polygon::{FillRule, fill};
+use proptest::num::f64::ANY;
+use proptest::prelude::*;
+use std::collections::BTreeSet;
+
+fn triangle(corners: [(f64, f64); 3]) -> [DVec2; 3] {
+    corners.map(DVec2::from)
+}
+
+fn spans(triangle: [DVec2; 3], width: u32, height: u32) -> Vec<Span> {
+    cover(triangle, width, height).unwrap().collect()
+}
+
+/// The picture by both forms, which must agree.
+fn grid(triangle: [DVec2; 3], width: u32, height: u32) -> Vec<String> {
+    let fast = spans(triangle, width, height);
+    let plain: Vec<_> = cover_plain(triangle, width, height).unwrap().collect();
+    assert_eq!(fast, plain);
+    let mut rows = vec![vec!['.'; width as usize]; height as usize];
+    for span in fast {
+        rows[span.y as usize][span.x.start as usize..span.x.end as usize].fill('#');
+    }
+    rows.into_iter().map(String::from_iter).collect()
+}
+
+#[test]
+fn the_two_halves_of_a_square() {
+    // The diagonal through the centres is a left edge of the upper half, a right edge of the lower.
+    let upper = triangle([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0)]);
+    let lower = triangle([(0.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+    assert_eq!(grid(upper, 5, 4), ["####.", ".###.", "..##.", "...#."]);
+    assert_eq!(grid(lower, 5, 4), [".....", "#....", "##...", "###.."]);
+    // Split along a row of centres: the lower half owns them, by its top edge.
+    let above = triangle([(0.0, 2.5), (2.0, 0.5), (4.0, 2.5)]);
+    let below = triangle([(0.0, 2.5), (4.0, 2.5), (2.0, 4.5)]);
+    assert_eq!(
+        grid(above, 5, 5),
+        [".....", ".##..", ".....", ".....", "....."]
+    );
+    assert_eq!(
+        grid(below, 5, 5),
+        [".....", ".....", "####.", ".##..", "....."]
+    );
+}
+
+#[test]
+fn without_the_rule_pixels_are_drawn_twice_or_never() {
+    let [a, b, c, d] = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)].map(DVec2::from);
+    let count = |rule| -> u32 {
+        let halves = [[a, b, c], [a, c, d]];
+        let spans = halves
+            .into_iter()
+            .flat_map(|t| cover_by(t, rule, 4, 4).unwrap());
+        spans.map(|span| span.len()).sum()
+    };
+    let counts = [EdgeRule::TopLeft, EdgeRule::Closed, EdgeRule::Open].map(count);
+    assert_eq!(counts, [16, 20, 12]);
+}
+
+#[test]
+fn slivers() {
+    // Half a pixel high and 20 long, of area 5: three centres, the rest passes between the rows.
+    let sliver = triangle([(0.0, 0.25), (20.0, 0.5), (20.0, 1.0)]);
+    // The lower side, y = 0.25 + 0.0375 x, reaches the centres of row 0 at x = 6⅔; the upper one at x = 20.
+    assert_eq!(
+        grid(sliver, 21, 2),
+        [".......#############.", "....................."]
+    );
+    let missed = triangle([(0.0, 0.6), (20.0, 0.7), (20.0, 1.2)]);
+    assert!(spans(missed, 21, 2).is_empty());
+    // One ulp wide: the centres on its left side are in.
+    let x = 3.5f64;
+    let needle = triangle([(x, 0.0), (x, 8.0), (x.next_up(), 4.0)]);
+    assert_eq!(
+        spans(needle, 8, 8),
+        (0..8).map(|y| Span { y, x: 3..4 }).collect::<Vec<_>>()
+    );
+    let beside = triangle([(x, 0.0), (x, 8.0), (x.next_down(), 4.0)]);
+    assert!(spans(beside, 8, 8).is_empty());
+}
+
+/// About a picture of 12 pixels: a third on centres, a third within 10⁻¹² of them.
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        2 => (-2i32..15).prop_map(|k| f64::from(k) + 0.5),
+        2 => (-2i32..15, -9i32..10).prop_map(|(k, m)| f64::from(k) + 0.5 + f64::from(m) * 1e-13),
+        1 => -3.0..15.0f64,
+        1 => (-8i32..60).prop_map(|k| f64::from(k) / 4.0),
+    ]
+}
+
+/// The same, and everything a double can be.
+fn any_coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => coordinate(),
+        1 => ANY.prop_filter("finite", |x| x.is_finite()),
+        1 => (-9i32..10).prop_map(|k| f64::from(k) * 1e9),
+        1 => (-9i32..10).prop_map(|k| f64::from(k) * 1e300),
+        1 => (-9i32..10).prop_map(|k| f64::from(k) * libm::scalbn(1.0, 33)),
+    ]
+}
+
+fn points(coordinate: impl Strategy<Value = f64>, n: usize) -> impl Strategy<Value = Vec<DVec2>> {
+    prop::collection::vec(coordinate, 2 * n)
+        .prop_map(|v| v.chunks(2).map(DVec2::from_slice).collect())
+}
+
+/// Cuts a triangle again and again at points inside it: a mesh in which every inner edge is shared.
+fn mesh(outer: [DVec2; 3], cuts: &[DVec2]) -> Vec<[DVec2; 3]> {
+    let mut mesh = vec![outer];
+    for &p in cuts {
+        if let Some(i) = mesh.iter().position(|&t| contains(t, p, EdgeRule::Closed)) {
+            let [a, b, c] = mesh.swap_remove(i);
+            // A cut on an edge leaves a degenerate triangle, which owns nothing.
+            mesh.extend([[a, b, p], [b, c, p], [c, a, p]]);
+        }
+    }
+    mesh
+}
+
+fn each_pixel_has_one_owner(outer: [DVec2; 3], cuts: &[DVec2]) -> Result<(), TestCaseError> {
+    let whole: BTreeSet<_> = spans(outer, 12, 12)
+        .iter()
+        .flat_map(Span::pixels)
+        .map(|p| (p.y, p.x))
+        .collect();
+    let mut owned = BTreeSet::new();
+    for part in mesh(outer, cuts) {
+        for pixel in spans(part, 12, 12).iter().flat_map(Span::pixels) {
+            prop_assert!(owned.insert((pixel.y, pixel.x)), "{pixel} has two owners");
+        }
+    }
+    prop_assert_eq!(owned, whole);
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn a_mesh_owns_each_pixel_once(corners in points(coordinate(), 3), cuts in points(coordinate(), 40)) {
+        each_pixel_has_one_owner([corners[0], corners[1], corners[2]], &cuts)?;
+    }
+
+    #[test]
+    fn a_huge_mesh_too(corners in points(any_coordinate(), 3), cuts in points(any_coordinate(), 40)) {
+        each_pixel_has_one_owner([corners[0], corners[1], corners[2]], &cuts)?;
+    }
+
+    /// Edge functions, the fill of polygons and either winding give the same pixels.
+    #[test]
+    fn all_forms_agree(corners in points(any_coordinate(), 3), width in 0..14u32, height in 0..14u32) {
+        let [a, b, c] = [corners[0], corners[1], corners[2]];
+        let fast = spans([a, b, c], width, height);
+        prop_assert_eq!(&fast, &cover_plain([a, b, c], width, height).unwrap().collect::<Vec<_>>());
+        prop_assert_eq!(&fast, &spans([c, b, a], width, height));
+        prop_assert_eq!(&fast, &spans([b, c, a], width, height));
+        for rule in [FillRule::EvenOdd, FillRule::NonZero] {
+            let filled: Vec<_> = fill(&[vec![a, b, c]], rule, width, height).unwrap().collect();
+            prop_assert_eq!(&fast, &filled);
+        }
+    }
+
+    #[test]
+    fn the_edge_function_is_near_its_exact_sign(corners in points(coordinate(), 3)) {
+        let [a, b, p] = [corners[0], corners[1], corners[2]];
+        let value = edge_function(a, b, p);
+        // Differences up to 18, three roundings each of the two products, one of their difference.
+        if value.abs() > 4.0 * f64::EPSILON * 2.0 * 18.0 * 18.0 {
+            prop_assert_eq!(value.partial_cmp(&0.0), orient_2d(a, b, p));
+        }
+    }
+
+    #[test]
+    fn snapping_moves_half_a_step(x in -1e6..1e6f64, bits in 0..20u32) {
+        let step = libm::scalbn(1.0, -(bits as i32));
+        let snapped = snap(DVec2::splat(x), bits).x;
+        prop_assert!((snapped - x).abs() <= step / 2.0);
+        prop_assert_eq!((snapped / step).fract(), 0.0);
+        prop_assert_eq!(snap(DVec2::splat(snapped), bits).x, snapped);
+    }
+
+    #[test]
+    fn never_panics(v in [ANY; 6], width in any::<u32>(), height in 0..3000u32, bits in any::<u32>()) {
+        let t = [0, 1, 2].map(|i| DVec2::new(v[2 * i], v[2 * i + 1]));
+        let finite = t.iter().all(|p| p.is_finite());
+        match cover(t, width, height) {
+            Ok(spans) => {
+                prop_assert!(finite);
+                for span in spans.take(20) {
+                    prop_assert!(!span.is_empty() && span.x.end <= width && span.y < height);
+                }
+            }
+            Err(TriangleError::NotFinite { vertex, .. }) => prop_assert!(!t[vertex].is_finite()),
+        }
+        prop_assert_eq!(contains(t, t[0], EdgeRule::Open), false);
+        let _ = (edge_function(t[0], t[1], t[2]), is_top_left(t[0], t[1]), snap(t[0], bits));
+    }
+}
+
+#[test]
+fn degenerate() {
+    let m = f64::MAX;
+    let cases = [
+        ("a point", [(3.5, 3.5); 3]),
+        ("an edge", [(0.5, 0.5), (0.5, 0.5), (7.5, 7.5)]),
+        (
+            "collinear through centres",
+            [(0.5, 0.5), (3.5, 3.5), (7.5, 7.5)],
+        ),
+        ("a row of centres", [(0.5, 2.5), (3.5, 2.5), (7.5, 2.5)]),
+        ("a column of centres", [(2.5, 0.5), (2.5, 3.5), (2.5, 7.5)]),
+        (
+            "collinear over the whole range",
+            [(-m, -m), (0.0, 0.0), (m, m)],
+        ),
+        ("subnormal", [(0.0, 0.0), (5e-324, 0.0), (0.0, 5e-324)]),
+        ("above", [(0.0, -9.0), (9.0, -9.0), (0.0, 0.4)]),
+        ("left", [(-9.0, 0.0), (0.4, 9.0), (-9.0, 9.0)]),
+        ("right", [(8.0, 0.0), (1e9, 0.0), (8.0, 1e9)]),
+    ];
+    for (name, corners) in cases {
+        assert_eq!(grid(triangle(corners), 8, 8), ["........"; 8], "{name}");
+    }
+    let everything = triangle([(-m, -m), (m, -m), (0.0, m)]);
+    assert_eq!(grid(everything, 8, 2), ["########"; 2]);
+    let mut rows = cover(everything, u32::MAX, u32::MAX).unwrap();
+    assert_eq!(
+        rows.next(),
+        Some(Span {
+            y: 0,
+            x: 0..u32::MAX
+        })
+    );
+    for (width, height) in [(0, 0), (0, u32::MAX), (u32::MAX, 0)] {
+        assert!(
+            cover(everything, width, height)
+                .unwrap()
+                .take(9)
+                .next()
+                .is_none()
+        );
+    }
+    // At the far corner of the largest picture.
+    let far = f64::from(u32::MAX);
+    let corner = triangle([(far - 2.0, far - 2.0), (far, far - 2.0), (far - 2.0, far)]);
+    let found = spans(corner, u32::MAX, u32::MAX);
+    const M: u32 = u32::MAX;
+    // Its slanted side runs through the centres (far − ½ − k, far − 3/2 + k), and as a right side leaves them out.
+    assert_eq!(
+        found,
+        [Span {
+            y: M - 2,
+            x: M - 2..M - 1
+        }]
+    );
+}
+
+#[test]
+fn a_bad_vertex_is_named() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let error = cover(triangle([(0.0, 0.0), (2.0, bad), (0.0, 1.0)]), 4, 4)
+            .err()
+            .unwrap();
+        assert_eq!(
+            error.to_string(),
+            format!("vertex 1 of the triangle is (2, {bad}): both coordinates must be finite")
+        );
+    }
+    // The largest finite doubles are not bad, though their differences overflow.
+    let nan = triangle([(f64::NAN, 0.0), (1.0, 0.0), (0.0, 1.0)]);
+    assert!(cover_plain(nan, 4, 4).is_err() && !contains(nan, DVec2::ZERO, EdgeRule::Closed));
+}
