@@ -32,9 +32,9 @@ use crate::drawing::{Drawing, EMPHASIS, NORMAL, Pen, THIN};
 use crate::error::FigureError;
 use crate::marks::DOT;
 use crate::number::decimal;
+use crate::number::round_step;
 use crate::path::{Path, Rect};
 use crate::sheet::{Align, Label, Sheet};
-use crate::space::round_step;
 use crate::style::Style;
 use crate::text::{LABEL, Line, NOTE};
 

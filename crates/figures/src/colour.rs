@@ -84,7 +84,7 @@ impl Role {
             Role::Paper => (0xFF_FF_FF, 0x14_18_1D),
             Role::Ground => (0xEE_F0_F3, 0x2A_31_39),
             Role::Grid => (0xD3_D8_DE, 0x40_49_53),
-            Role::Umbra => (0x6E_7A_89, 0x05_07_09),
+            Role::Umbra => (0xA3_AD_B8, 0x0F_13_18),
             Role::Text => (0x16_1B_21, 0xF1_F3_F5),
             Role::Note => (0x5A_63_6D, 0xA9_B2_BC),
             Role::Axis => (0x3C_44_4D, 0xC6_CD_D4),

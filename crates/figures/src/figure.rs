@@ -85,7 +85,25 @@ impl Figure {
 
 /// All figures, by lecture in the order of the course.
 pub fn figures() -> &'static [Figure] {
-    &[crate::shadows::CUBE_INFINITY]
+    use crate::{clip, math, shadows};
+    &[
+        math::PLANE,
+        math::SPHERICAL,
+        math::FRUSTUM,
+        clip::POINT_WINDOW,
+        clip::SEGMENT_CASES,
+        clip::OUTCODES,
+        clip::COHEN_SUTHERLAND_STEPS,
+        clip::SUTHERLAND_HODGMAN_STEPS,
+        clip::POLYGON_CASES,
+        shadows::WHY,
+        shadows::SIMILAR_TRIANGLES,
+        shadows::CUBE_INFINITY,
+        shadows::CUBE_POINT,
+        shadows::ANY_PLANE,
+        shadows::FALSE_SHADOW,
+        shadows::FAKE,
+    ]
 }
 
 /// The figures that `patterns` name, each an id or a lecture, in the order of [`figures`]; all when there is none.

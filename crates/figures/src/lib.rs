@@ -41,11 +41,14 @@
 //! | --- | --- |
 //! | [`sheet`] | shapes, fixed text, labels |
 //! | [`marks`] | sun, parallel arrows, eye, points, arrows, rays, normals |
-//! | [`space`] | the house perspective, ground grid, axes, meshes |
+//! | [`space`], [`patch`] | the house perspective, axes, meshes; the receiving plane |
+//! | [`section`] | the plane of a section: x to the right, y up |
+//! | [`panels`], [`table`] | steps from left to right, short lists in columns |
 //! | [`number`] | exact fractions |
 //! | [`text`], [`font`] | markup, layout, the embedded typeface |
 //! | [`place`] | where labels go |
 //! | [`colour`], [`path`], [`drawing`] | roles, outlines, the display list |
+//! | [`contour`] | the contour of many triangles |
 //! | [`svg`], [`png`] | writing |
 //! | [`labels`] | every word, in four languages |
 //!
@@ -53,7 +56,9 @@
 //! own licence in `fonts/`.
 
 pub mod chart;
+mod clip;
 pub mod colour;
+pub mod contour;
 pub mod docs;
 pub mod drawing;
 pub mod error;
@@ -62,15 +67,20 @@ pub mod font;
 pub mod gallery;
 pub mod labels;
 pub mod marks;
+mod math;
 pub mod number;
 pub mod object;
+pub mod panels;
+pub mod patch;
 pub mod path;
 pub mod place;
 pub mod png;
+pub mod section;
 mod shadows;
 pub mod sheet;
 pub mod space;
 pub mod style;
 pub mod svg;
+pub mod table;
 pub mod text;
 pub mod write;

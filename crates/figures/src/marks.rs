@@ -62,9 +62,30 @@ pub fn ray(sheet: &mut Sheet, from: DVec2, to: DVec2) {
     sheet.line(from, to, Pen::new(Role::Ray, THIN));
 }
 
+/// A ray from a sun at `sun`, from the rim of the mark on.
+pub fn ray_from_sun(sheet: &mut Sheet, sun: DVec2, to: DVec2) {
+    let along = to - sun;
+    let rim = SUN + 6.0;
+    if along.length() > rim {
+        ray(sheet, sun + along.normalize_or_zero() * rim, to);
+    }
+}
+
 /// What a ray would have gone on to: dashed.
 pub fn stopped_ray(sheet: &mut Sheet, from: DVec2, to: DVec2) {
     sheet.line(from, to, Pen::new(Role::Ray, THIN).dashed());
+}
+
+/// A length between two places: a thin line with a stroke across at both ends, `aside` off the line between them.
+/// Returns its middle.
+pub fn dimension(sheet: &mut Sheet, a: DVec2, b: DVec2, aside: DVec2) -> DVec2 {
+    let (a, b) = (a + aside, b + aside);
+    let across = (b - a).normalize_or_zero().perp() * 9.0;
+    let mut path = Path::line(a, b);
+    path.add_polyline(&[a - across, a + across]);
+    path.add_polyline(&[b - across, b + across]);
+    sheet.stroke(path, Pen::new(Role::Note, THIN));
+    (a + b) * 0.5
 }
 
 /// A normal: a green arrow.

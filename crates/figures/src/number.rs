@@ -1,6 +1,7 @@
 //! Numbers as a lecture writes them: the fraction where a double is one, a rounded decimal otherwise.
 
 use ombra_math::glam::DVec3;
+use ombra_math::plane::Plane;
 
 /// Largest denominator shown as a fraction.
 const MOST: u32 = 999;
@@ -72,6 +73,51 @@ pub fn coordinates(p: DVec3) -> String {
     format!("({}, {}, {})", exact(p.x), exact(p.y), exact(p.z))
 }
 
+/// The least of 1, 2, 5 times a power of ten that is at least `length`; 0 where there is none.
+pub fn round_step(length: f64) -> f64 {
+    if !(length > 0.0 && length.is_finite()) {
+        return 0.0;
+    }
+    // The printed exponent is exact where a logarithm may err.
+    let exponent: i32 = format!("{length:e}")
+        .split_once('e')
+        .and_then(|(_, e)| e.parse().ok())
+        .unwrap_or(0);
+    [
+        (1, exponent),
+        (2, exponent),
+        (5, exponent),
+        (1, exponent + 1),
+    ]
+    .into_iter()
+    .filter_map(|(digit, power)| format!("{digit}e{power}").parse::<f64>().ok())
+    .find(|step| *step >= length)
+    .unwrap_or(0.0)
+}
+
+/// A plane as *x* + 2*y* − 10 = 0, each coefficient by [`exact`].
+pub fn equation(plane: Plane) -> String {
+    let n = plane.normal;
+    let mut text = String::new();
+    for (factor, name) in [(n.x, "*x*"), (n.y, "*y*"), (n.z, "*z*"), (plane.d, "")] {
+        if factor == 0.0 {
+            continue;
+        }
+        text.push_str(match (text.is_empty(), factor < 0.0) {
+            (true, true) => "−",
+            (true, false) => "",
+            (false, true) => " − ",
+            (false, false) => " + ",
+        });
+        let size = factor.abs();
+        if name.is_empty() || size != 1.0 {
+            text.push_str(&exact(size));
+        }
+        text.push_str(name);
+    }
+    format!("{text} = 0")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -87,6 +133,22 @@ mod tests {
         assert_eq!(exact(core::f64::consts::PI), "3.142");
         assert_eq!(exact(-20.0), "−20");
         assert_eq!(exact(-0.0), "0");
+    }
+
+    #[test]
+    fn a_plane_is_written_as_its_equation() {
+        let plane = |x, y, z, d| Plane {
+            normal: DVec3::new(x, y, z),
+            d,
+        };
+        for (plane, text) in [
+            (Plane::GROUND, "*y* = 0"),
+            (plane(1.0, -1.0, 2.0, -30.0), "*x* − *y* + 2*z* − 30 = 0"),
+            (plane(-1.0, 0.0, 0.5, 0.0), "−*x* + {1|2}*z* = 0"),
+            (plane(0.0, 0.0, -3.0, 1.0), "−3*z* + 1 = 0"),
+        ] {
+            assert_eq!(equation(plane), text);
+        }
     }
 
     #[test]

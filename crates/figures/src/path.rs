@@ -24,6 +24,8 @@ pub struct Path {
     pub segments: Vec<Segment>,
 }
 
+/// More lines than this are no hatching.
+const MOST_HATCHES: f64 = 2000.0;
 /// Control distance of a quarter circle of radius 1: 4 (√2 − 1) / 3.
 const QUARTER: f64 = 0.552_284_749_830_793_4;
 
@@ -130,6 +132,67 @@ impl Path {
         Path { segments }
     }
 
+    /// Its lines, curves taken by their chords.
+    pub fn chords(&self) -> Vec<(DVec2, DVec2)> {
+        let mut chords = Vec::with_capacity(self.segments.len());
+        let (mut start, mut last) = (DVec2::ZERO, DVec2::ZERO);
+        for &segment in &self.segments {
+            let to = match segment {
+                Segment::Move(p) => {
+                    (start, last) = (p, p);
+                    continue;
+                }
+                Segment::Line(p) | Segment::Quad(_, p) | Segment::Cubic(_, _, p) => p,
+                Segment::Close => start,
+            };
+            chords.push((last, to));
+            last = to;
+        }
+        chords
+    }
+
+    /// The least rectangle around every point it names; none for an empty path.
+    pub fn bounds(&self) -> Option<Rect> {
+        let around = |p| Rect::new(p, p);
+        self.points()
+            .map(around)
+            .reduce(|a, b| Rect::new(a.min.min(b.min), a.max.max(b.max)))
+    }
+
+    /// Slanted lines `distance` apart that fill a polygon; what overlaps an odd number of times is inside.
+    pub fn hatching(polygon: &[DVec2], distance: f64) -> Path {
+        // Along these lines x + y is constant; on each, places are told apart by x.
+        let height = |p: DVec2| p.x + p.y;
+        let heights = polygon.iter().map(|&p| height(p));
+        let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| {
+            (low.min(h), high.max(h))
+        });
+        let step = distance * core::f64::consts::SQRT_2;
+        let (first, last) = ((low / step).ceil(), (high / step).floor());
+        let mut path = Path::new();
+        if !(step > 0.0 && last - first < MOST_HATCHES) {
+            return path;
+        }
+        let count = (last - first).max(-1.0) as u32;
+        for i in 0..=count {
+            let level = (first + f64::from(i)) * step;
+            let ends = polygon.iter().cycle().skip(1);
+            let mut crossings: Vec<DVec2> = Vec::new();
+            for (&a, &b) in polygon.iter().zip(ends) {
+                let (from, to) = (height(a) - level, height(b) - level);
+                // An end on the line counts with one of its two edges only.
+                if (from < 0.0) != (to < 0.0) {
+                    crossings.push(a + (b - a) * (from / (from - to)));
+                }
+            }
+            crossings.sort_by(|a, b| a.x.total_cmp(&b.x));
+            for pair in crossings.as_chunks::<2>().0 {
+                path.add_polyline(pair);
+            }
+        }
+        path
+    }
+
     /// Every point it names, control points included.
     pub fn points(&self) -> impl Iterator<Item = DVec2> {
         self.segments.iter().flat_map(|&segment| {
@@ -186,6 +249,11 @@ impl Rect {
 
     /// Length of the part of a−b that lies within.
     pub fn length_within(&self, a: DVec2, b: DVec2) -> f64 {
+        self.cut(a, b).map_or(0.0, |(a, b)| a.distance(b))
+    }
+
+    /// The part of a−b that lies within; none for less than a line.
+    pub fn cut(&self, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
         let d = b - a;
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         for (start, step, low, high) in [
@@ -194,7 +262,7 @@ impl Rect {
         ] {
             if step == 0.0 {
                 if start < low || start > high {
-                    return 0.0;
+                    return None;
                 }
             } else {
                 let (enter, leave) = ((low - start) / step, (high - start) / step);
@@ -202,10 +270,77 @@ impl Rect {
                 to = to.min(enter.max(leave));
             }
         }
-        if to > from {
-            d.length() * (to - from)
-        } else {
-            0.0
+        (to > from).then(|| (a + d * from, a + d * to))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hatching_stays_inside_and_its_density_is_the_distance() {
+        let square = [(0.0, 0.0), (300.0, 0.0), (300.0, 300.0), (0.0, 300.0)];
+        let square = square.map(|(x, y)| DVec2::new(x, y));
+        let lines = Path::hatching(&square, 10.0).chords();
+        let bounds = Path::polygon(&square).bounds().unwrap().grown(1e-9);
+        assert!(
+            lines
+                .iter()
+                .all(|&(a, b)| bounds.contains(&Rect::new(a.min(b), a.max(b))))
+        );
+        // Lines 10 apart cover an area A with a length of A / 10, but for the corners.
+        let length: f64 = lines.iter().map(|(a, b)| a.distance(*b)).sum();
+        assert!((length - 9000.0).abs() < 0.02 * 9000.0, "{length}");
+    }
+
+    #[test]
+    fn a_line_is_cut_at_the_rectangle() {
+        let at = DVec2::new;
+        let rect = Rect::new(at(0.0, 0.0), at(10.0, 5.0));
+        assert_eq!(
+            rect.cut(at(-5.0, 1.0), at(15.0, 1.0)),
+            Some((at(0.0, 1.0), at(10.0, 1.0)))
+        );
+        assert_eq!(
+            rect.cut(at(1.0, 1.0), at(3.0, 4.0)),
+            Some((at(1.0, 1.0), at(3.0, 4.0)))
+        );
+        assert_eq!(rect.cut(at(-5.0, 6.0), at(15.0, 6.0)), None);
+        assert_eq!(rect.cut(at(-2.0, 4.0), at(4.0, 10.0)), None);
+        assert_eq!(rect.length_within(at(5.0, -8.0), at(5.0, 8.0)), 5.0);
+        assert_eq!(rect.cut(at(f64::NAN, 0.0), at(1.0, f64::INFINITY)), None);
+    }
+
+    #[test]
+    fn hatching_leaves_a_notch_free() {
+        let m = [
+            (0.0, 0.0),
+            (100.0, 90.0),
+            (200.0, 0.0),
+            (200.0, 100.0),
+            (0.0, 100.0),
+        ];
+        let m = m.map(|(x, y)| DVec2::new(x, y));
+        for (a, b) in Path::hatching(&m, 7.0).chords() {
+            let middle = (a + b) * 0.5;
+            assert!(
+                middle.y > 90.0 - 0.9 * (middle.x - 100.0).abs() - 1e-9,
+                "{middle}"
+            );
         }
+    }
+
+    #[test]
+    fn nonsense_gives_no_hatching() {
+        for wrong in [f64::NAN, f64::INFINITY, 1e300] {
+            let polygon = [DVec2::ZERO, DVec2::X * wrong, DVec2::Y];
+            assert_eq!(Path::hatching(&polygon, 5.0), Path::new(), "{wrong}");
+        }
+        assert_eq!(Path::hatching(&[], 5.0), Path::new());
+        assert_eq!(
+            Path::hatching(&[DVec2::ZERO, DVec2::X, DVec2::Y], 0.0),
+            Path::new()
+        );
     }
 }

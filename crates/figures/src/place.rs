@@ -22,6 +22,12 @@ pub struct Wanted {
     pub reach: f64,
     /// The side it would rather have.
     pub towards: DVec2,
+    /// Whether it may stand so far away that a line must lead to it, although it has a place beside its thing.
+    pub may_lead: bool,
+    /// Whether it may be left out where there is no place for it.
+    pub optional: bool,
+    /// Where it may be.
+    pub frame: Rect,
 }
 
 /// A drawn line that labels should not cover.
@@ -55,8 +61,11 @@ impl Place {
             (Some((a, b)), Some((c, d))) => cross(a, b, c, d),
             _ => false,
         };
+        // Two labels on one height must not read as one line.
+        let aside = DVec2::new(APART, 0.0);
+        let spaced = Rect::new(self.bounds.min - aside, self.bounds.max + aside);
         !leaders_cross
-            && !self.bounds.meets(&other.bounds)
+            && !spaced.meets(&other.bounds)
             && !crosses(self.leader, &other.bounds)
             && !crosses(other.leader, &self.bounds)
     }
@@ -86,34 +95,38 @@ const SIDES: [DVec2; 8] = [
     ),
 ];
 /// Distances tried, beyond the thing's own reach; from the fourth on a line leads to the label.
-const GAPS: [f64; 6] = [4.0, 11.0, 20.0, 45.0, 80.0, 125.0];
+const GAPS: [f64; 8] = [4.0, 11.0, 20.0, 40.0, 60.0, 80.0, 105.0, 135.0];
 const FAR: usize = 3;
+/// Free space to the left and right of a label, beyond its rim.
+const APART: f64 = 24.0;
 /// What a farther distance and a less wanted side count against a line covered, as lengths.
 const PER_GAP: f64 = 8.0;
-const PER_SIDE: f64 = 5.0;
+const PER_SIDE: f64 = 7.0;
 /// What a leading line counts in itself, and for each line it crosses.
-const LEADER: f64 = 60.0;
+const LEADER: f64 = 110.0;
 const CROSSING: f64 = 25.0;
+/// What a leading line counts besides for a label that should have none.
+const RELUCTANT: f64 = 1000.0;
+/// What it counts that a label without a leading line lies nearer to another's thing than to its own.
+const AMBIGUOUS: f64 = 300.0;
 
 /// Finds a place for every label.
 ///
-/// `frame` is where labels may be, `taken` what they must not meet, `drawn` the lines they should not cover. Each takes
-/// in turn the best place that those before it left; then, as long as it makes the whole cheaper, a label takes a better
+/// `taken` is what labels must not meet, `drawn` the lines they should not cover. Each takes in turn the best place that those before it left; then, as long as it makes the whole cheaper, a label takes a better
 /// place and those that it drives out take others. Several labels get the chance to begin; the cheapest outcome is kept,
 /// and it depends on nothing but the arguments.
 ///
 /// # Errors
 ///
-/// [`FigureError::NoRoom`] names a label without a free place.
+/// [`FigureError::NoRoom`] names a label without a free place that is not optional.
 pub fn place(
     wanted: &[Wanted],
-    frame: Rect,
     taken: &[Rect],
     drawn: &[Drawn],
-) -> Result<Vec<Place>, FigureError> {
+) -> Result<Vec<Option<Place>>, FigureError> {
     let candidates: Vec<_> = wanted
         .iter()
-        .map(|label| candidates(label, frame, taken, drawn))
+        .map(|label| candidates(label, wanted, taken, drawn))
         .collect();
     let mut board = Board::start(candidates, 0);
     for first in 1..wanted.len().min(STARTS) {
@@ -126,12 +139,14 @@ pub fn place(
         .iter()
         .enumerate()
         .map(|(label, wanted)| {
-            board
-                .place(label)
-                .map(|(_, place)| *place)
-                .ok_or_else(|| FigureError::NoRoom {
+            let place = board.place(label).map(|(_, place)| *place);
+            if place.is_some() || wanted.optional {
+                Ok(place)
+            } else {
+                Err(FigureError::NoRoom {
                     text: wanted.line.plain.clone(),
                 })
+            }
         })
         .collect()
 }
@@ -253,7 +268,12 @@ impl Board {
 }
 
 /// Every free place of one label with its cost, best first.
-fn candidates(label: &Wanted, frame: Rect, taken: &[Rect], drawn: &[Drawn]) -> Vec<(f64, Place)> {
+fn candidates(
+    label: &Wanted,
+    all: &[Wanted],
+    taken: &[Rect],
+    drawn: &[Drawn],
+) -> Vec<(f64, Place)> {
     // Compares by dot product, so a wanted direction without length wants the right side.
     let first = (0..8)
         .max_by(|&a, &b| {
@@ -283,7 +303,7 @@ fn candidates(label: &Wanted, frame: Rect, taken: &[Rect], drawn: &[Drawn]) -> V
             let centre = label.anchor + direction * (label.reach + gap) + half * away;
             let at = round(label.line.centred(centre));
             let bounds = label.line.bounds(at).grown(HALO);
-            if !frame.contains(&bounds) || taken.iter().any(|other| other.meets(&bounds)) {
+            if !label.frame.contains(&bounds) || taken.iter().any(|other| other.meets(&bounds)) {
                 continue;
             }
             let covered: f64 = drawn
@@ -307,7 +327,18 @@ fn candidates(label: &Wanted, frame: Rect, taken: &[Rect], drawn: &[Drawn]) -> V
                     .map(|line| line.weight)
                     .sum();
                 cost += LEADER + CROSSING * crossed;
+                if !label.may_lead {
+                    cost += RELUCTANT;
+                }
                 leader = Some((start, end));
+            } else {
+                let from = |anchor: DVec2| anchor.distance(anchor.clamp(bounds.min, bounds.max));
+                let own = from(label.anchor);
+                let nearer = |other: &&Wanted| {
+                    other.anchor != label.anchor
+                        && from(other.anchor) - other.reach < own - label.reach
+                };
+                cost += AMBIGUOUS * all.iter().filter(nearer).count() as f64;
             }
             found.push((cost, Place { at, bounds, leader }));
         }
@@ -342,59 +373,88 @@ mod tests {
             anchor: DVec2::new(x, y),
             reach: 5.0,
             towards: DVec2::X,
+            may_lead: true,
+            optional: false,
+            frame: FRAME,
         }
+    }
+
+    fn placed(wanted: &[Wanted], drawn: &[Drawn]) -> Vec<Place> {
+        let places = place(wanted, &[], drawn).unwrap();
+        places.into_iter().map(Option::unwrap).collect()
     }
 
     const FRAME: Rect = Rect::new(DVec2::ZERO, DVec2::new(600.0, 300.0));
 
     #[test]
     fn the_wanted_side_is_taken_when_it_is_free() {
-        let places = place(&[label("a", 300.0, 150.0)], FRAME, &[], &[]).unwrap();
+        let places = placed(&[label("a", 300.0, 150.0)], &[]);
         assert!(places[0].bounds.min.x > 300.0);
         assert!((places[0].bounds.centre().y - 150.0).abs() < 0.1);
     }
 
     #[test]
     fn two_labels_at_one_place_part() {
-        let places = place(
+        let places = placed(
             &[label("first", 300.0, 150.0), label("second", 300.0, 150.0)],
-            FRAME,
             &[],
-            &[],
-        )
-        .unwrap();
+        );
         assert!(!places[0].bounds.meets(&places[1].bounds));
     }
 
     #[test]
+    fn a_label_is_not_nearer_to_another_thing() {
+        // Each would rather be on the other's side.
+        let (mut left, mut right) = (label("l", 300.0, 150.0), label("r", 330.0, 150.0));
+        left.towards = DVec2::X;
+        right.towards = DVec2::NEG_X;
+        let anchors = [left.anchor, right.anchor];
+        let places = placed(&[left, right], &[]);
+        for (i, place) in places.iter().enumerate() {
+            let from = |p: DVec2| p.distance(p.clamp(place.bounds.min, place.bounds.max));
+            assert!(from(anchors[i]) <= from(anchors[1 - i]), "{place:?}");
+        }
+    }
+
+    #[test]
     fn a_label_at_the_edge_turns_inwards_and_a_line_is_avoided() {
-        let places = place(&[label("edge", 595.0, 150.0)], FRAME, &[], &[]).unwrap();
+        let places = placed(&[label("edge", 595.0, 150.0)], &[]);
         assert!(places[0].bounds.max.x < 595.0);
         let line = Drawn {
             a: DVec2::new(300.0, 150.0),
             b: DVec2::new(600.0, 150.0),
             weight: 1.0,
         };
-        let places = place(&[label("line", 300.0, 150.0)], FRAME, &[], &[line]).unwrap();
+        let places = placed(&[label("line", 300.0, 150.0)], &[line]);
         assert_eq!(places[0].bounds.length_within(line.a, line.b), 0.0);
+    }
+
+    #[test]
+    fn an_optional_label_gives_way() {
+        let tight = Rect::new(DVec2::ZERO, DVec2::splat(90.0));
+        let long = Wanted {
+            frame: tight,
+            optional: true,
+            ..label("much too long for this", 45.0, 45.0)
+        };
+        let places = place(&[long, label("a", 300.0, 150.0)], &[], &[]).unwrap();
+        assert!(places[0].is_none() && places[1].is_some());
     }
 
     #[test]
     fn no_room_is_an_error_that_names_the_label() {
         let tight = Rect::new(DVec2::ZERO, DVec2::splat(90.0));
-        let error = place(
-            &[label("much too long for this", 45.0, 45.0)],
-            tight,
-            &[],
-            &[],
-        )
-        .unwrap_err();
+        let long = Wanted {
+            frame: tight,
+            ..label("much too long for this", 45.0, 45.0)
+        };
+        let error = place(&[long], &[], &[]).unwrap_err();
         assert!(
             error.to_string().contains("'much too long for this'"),
             "{error}"
         );
         let crowd: Vec<_> = (0..40).map(|_| label("crowd", 300.0, 150.0)).collect();
-        assert!(place(&crowd, FRAME, &[], &[]).is_err());
+        assert!(place(&crowd, &[], &[]).is_err());
     }
 
     #[test]
@@ -404,7 +464,8 @@ mod tests {
         let (short, long) = (label("i", 40.0, 25.0), label("a long label", 40.0, 25.0));
         let least = 40.0 + long.reach + GAPS[0] + long.line.width + 2.0 * HALO;
         let frame = Rect::new(DVec2::ZERO, DVec2::new(least + 1.0, 50.0));
-        let places = place(&[short, long], frame, &[], &[]);
+        let wanted = [short, long].map(|label| Wanted { frame, ..label });
+        let places = place(&wanted, &[], &[]);
         assert!(places.is_ok(), "{places:?}");
     }
 
@@ -416,7 +477,7 @@ mod tests {
                 b: DVec2::ZERO,
                 weight: 1.0,
             };
-            assert!(place(&[label("a", x, x)], FRAME, &[], &[line]).is_err());
+            assert!(place(&[label("a", x, x)], &[], &[line]).is_err());
         }
     }
 }

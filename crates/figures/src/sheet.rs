@@ -7,10 +7,10 @@ use crate::drawing::{
     Drawing, FillRule, HALO, Item, LabelBox, MARGIN, Paint, Pen, THIN, round, round_length,
 };
 use crate::error::FigureError;
-use crate::path::{Path, Rect, Segment};
+use crate::path::{Path, Rect};
 use crate::place::{Drawn, Wanted, place};
 use crate::style::Style;
-use crate::text::{LABEL, Line, NOTE, wrapped};
+use crate::text::{CAPITALS, LABEL, Line, NOTE, wrapped};
 
 /// Which point of a fixed text its position names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +38,12 @@ pub struct Label {
     pub reach: f64,
     /// The side it would rather have.
     pub towards: DVec2,
+    /// Whether it may stand so far away that a line must lead to it, although it has a place beside its thing.
+    pub may_lead: bool,
+    /// Whether it may be left out where there is no place for it.
+    pub optional: bool,
+    /// Where it must stay; none for the whole sheet.
+    pub within: Option<Rect>,
     /// Letter size.
     pub size: f64,
     /// Its colour.
@@ -52,6 +58,9 @@ impl Label {
             anchor,
             reach: 8.0,
             towards: DVec2::X,
+            may_lead: true,
+            optional: false,
+            within: None,
             size: LABEL,
             ink: Role::Text.into(),
         }
@@ -67,6 +76,30 @@ impl Label {
         Label { reach, ..self }
     }
 
+    /// Right beside its thing, as long as there is any place.
+    pub fn beside(self) -> Label {
+        Label {
+            may_lead: false,
+            ..self
+        }
+    }
+
+    /// Left out where there is no place for it.
+    pub fn optional(self) -> Label {
+        Label {
+            optional: true,
+            ..self
+        }
+    }
+
+    /// Nowhere but in `frame`, such as its panel.
+    pub fn within(self, frame: Rect) -> Label {
+        Label {
+            within: Some(frame),
+            ..self
+        }
+    }
+
     /// Another colour.
     pub fn ink(self, ink: impl Into<Ink>) -> Label {
         Label {
@@ -78,6 +111,49 @@ impl Label {
     /// Another letter size.
     pub fn size(self, size: f64) -> Label {
         Label { size, ..self }
+    }
+}
+
+/// Letters stand out on an area mixed of less ink than this and paper.
+const PALE: f64 = 0.25;
+
+/// What is drawn below the labels: where they lie over some of it they need a rim of paper. Elsewhere a rim would show
+/// on a transparent background, and on the ground.
+#[derive(Default)]
+struct Under {
+    lines: Vec<(DVec2, DVec2)>,
+    areas: Vec<Rect>,
+}
+
+impl Under {
+    fn of(items: &[Item]) -> Under {
+        let mut under = Under::default();
+        for item in items {
+            let Item::Shape { path, fill, stroke } = item else {
+                continue;
+            };
+            let pale = |paint: &Paint| match paint {
+                Paint::Solid(ink) => {
+                    matches!(ink.role, Role::Paper | Role::Ground) || ink.share < PALE
+                }
+                _ => false,
+            };
+            if fill.as_ref().is_some_and(|(paint, _)| !pale(paint)) {
+                under.areas.extend(path.bounds());
+            }
+            if stroke.is_some() {
+                under.lines.extend(path.chords());
+            }
+        }
+        under
+    }
+
+    fn disturbs(&self, bounds: &Rect) -> bool {
+        self.areas.iter().any(|area| area.meets(bounds))
+            || self
+                .lines
+                .iter()
+                .any(|&(a, b)| bounds.length_within(a, b) > 0.0)
     }
 }
 
@@ -157,7 +233,7 @@ impl Sheet {
             |pen: &Pen| matches!(pen.paint, Paint::Solid(Ink { role, .. }) if role.is_area());
         if let Some(pen) = stroke.as_ref().filter(|pen| !of_a_grid(pen)) {
             // A label may sooner cover a piece of a dashed line.
-            self.keep_off(&path, if pen.dash.is_some() { 0.3 } else { 2.0 });
+            self.keep_off(&path, if pen.dash.is_some() { 0.15 } else { 2.0 });
         }
         self.push(path, fill, stroke);
     }
@@ -211,23 +287,8 @@ impl Sheet {
     }
 
     fn keep_off(&mut self, path: &Path, weight: f64) {
-        let (mut start, mut last) = (DVec2::ZERO, DVec2::ZERO);
-        for &segment in &path.segments {
-            let to = match segment {
-                Segment::Move(p) => {
-                    (start, last) = (p, p);
-                    continue;
-                }
-                Segment::Line(p) | Segment::Quad(_, p) | Segment::Cubic(_, _, p) => p,
-                Segment::Close => start,
-            };
-            self.drawn.push(Drawn {
-                a: last,
-                b: to,
-                weight,
-            });
-            last = to;
-        }
+        let drawn = |(a, b)| Drawn { a, b, weight };
+        self.drawn.extend(path.chords().into_iter().map(drawn));
     }
 
     /// A round point; labels keep off it.
@@ -268,7 +329,19 @@ impl Sheet {
     }
 
     fn set(&mut self, line: Line, centre: DVec2, ink: Ink) -> Rect {
-        let at = round(line.centred(centre));
+        let at = line.centred(centre);
+        self.set_at(line, at, ink)
+    }
+
+    /// A laid-out line at a fixed place: its letters' middle at the height of `start`, whatever hangs below or rises.
+    pub(crate) fn set_line(&mut self, line: Line, start: DVec2, ink: impl Into<Ink>) -> Rect {
+        let at = start + DVec2::new(0.0, 0.5 * CAPITALS * LABEL);
+        self.set_at(line, at, ink.into())
+    }
+
+    /// A laid-out line whose baseline starts at `at`.
+    pub(crate) fn set_at(&mut self, line: Line, at: DVec2, ink: Ink) -> Rect {
+        let at = round(at);
         let bounds = line.bounds(at);
         self.boxes.push(LabelBox {
             bounds,
@@ -297,6 +370,9 @@ impl Sheet {
                 anchor: label.anchor,
                 reach: label.reach,
                 towards: label.towards,
+                may_lead: label.may_lead,
+                optional: label.optional,
+                frame: label.within.unwrap_or(self.frame),
             });
         }
         let taken: Vec<Rect> = self
@@ -304,10 +380,11 @@ impl Sheet {
             .iter()
             .map(|label| label.bounds.grown(HALO))
             .collect();
-        let places = place(&wanted, self.frame, &taken, &self.drawn)?;
+        let places = place(&wanted, &taken, &self.drawn)?;
 
         let mut letters = Vec::with_capacity(places.len());
         for ((label, wanted), place) in self.labels.iter().zip(wanted).zip(&places) {
+            let Some(place) = place else { continue };
             if let Some((start, end)) = place.leader {
                 self.items.push(Item::Shape {
                     path: Path::line(start, end).map(round),
@@ -320,15 +397,17 @@ impl Sheet {
                 smallest: wanted.line.smallest(),
                 text: wanted.line.plain.clone(),
             });
-            letters.push(Item::Text {
-                line: wanted.line,
-                at: place.at,
-                ink: label.ink,
-                halo: true,
-            });
+            letters.push((wanted.line, *place, label.ink));
         }
+        let under = Under::of(&self.items);
         self.items.append(&mut self.fixed);
-        self.items.append(&mut letters);
+        self.items
+            .extend(letters.into_iter().map(|(line, place, ink)| Item::Text {
+                line,
+                at: place.at,
+                ink,
+                halo: under.disturbs(&place.bounds),
+            }));
         Ok(Drawing {
             id: id.to_owned(),
             title: title.to_owned(),

@@ -5,8 +5,7 @@
 //! perspective is equally strong in every figure.
 
 use ombra_math::glam::{DVec2, DVec3};
-use ombra_math::mesh::Mesh;
-use ombra_math::plane::Plane;
+use ombra_math::mesh::{Edge, Mesh};
 
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
@@ -19,6 +18,8 @@ use crate::style::Theme;
 const TOWARDS_EYE: DVec3 = DVec3::new(-0.50, 0.46, 0.80);
 /// Distance of the eye from the middle of the scene, in radii of the scene.
 const DISTANCE: f64 = 4.5;
+/// The same where perspective is not to show: sizes differ by a millionth at most.
+const AFAR: f64 = 1e6;
 /// Two faces that meet under less than this cosine show their edge: 30°.
 const CREASE: f64 = 0.866_025_403_784_438_6;
 
@@ -41,6 +42,24 @@ impl View {
     ///
     /// [`FigureError::Scene`] when `shown` is empty, a single point, or too large to compute with.
     pub fn fit(shown: &[DVec3], frame: Rect) -> Result<View, FigureError> {
+        View::fit_from(shown, frame, DISTANCE)
+    }
+
+    /// The same from so far away that nothing shrinks with its distance.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`View::fit`].
+    pub fn fit_from_afar(shown: &[DVec3], frame: Rect) -> Result<View, FigureError> {
+        View::fit_from(shown, frame, AFAR)
+    }
+
+    /// From the scene towards the eye, of length 1.
+    pub fn towards_eye() -> DVec3 {
+        TOWARDS_EYE.normalize()
+    }
+
+    fn fit_from(shown: &[DVec3], frame: Rect, distance: f64) -> Result<View, FigureError> {
         let wrong = || {
             FigureError::Scene {
             reason: "nothing to show: the points of the figure are too few, too far or too close together".to_owned(),
@@ -55,7 +74,7 @@ impl View {
         let forward = -TOWARDS_EYE.normalize();
         let right = forward.cross(DVec3::Y).normalize();
         let mut view = View {
-            eye: centre - forward * (radius * DISTANCE),
+            eye: centre - forward * (radius * distance),
             right,
             up: right.cross(forward),
             forward,
@@ -86,6 +105,16 @@ impl View {
         (depth > 0.1 * self.radius && at.is_finite()).then_some(at)
     }
 
+    /// How large things appear; only views of the same points compare.
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Where the eye is.
+    pub fn eye(&self) -> DVec3 {
+        self.eye
+    }
+
     /// Distance from the eye along the view.
     pub fn depth(&self, p: DVec3) -> f64 {
         (p - self.eye).dot(self.forward)
@@ -113,134 +142,6 @@ impl View {
     }
 }
 
-/// A rectangle of a plane with a grid at round distances: the surface that receives shadows.
-#[derive(Clone, Copy, Debug)]
-pub struct Patch {
-    origin: DVec3,
-    u: DVec3,
-    v: DVec3,
-    min: DVec2,
-    max: DVec2,
-    step: f64,
-}
-
-impl Patch {
-    /// The least rectangle of whole grid cells of `plane` that holds the feet of `points` and a little more.
-    ///
-    /// # Errors
-    ///
-    /// [`FigureError::Scene`] when the plane has no finite normal or there are no finite points.
-    pub fn around(plane: Plane, points: &[DVec3]) -> Result<Patch, FigureError> {
-        let wrong = || FigureError::Scene {
-            reason: format!(
-                "the plane {} has no patch to draw near the object",
-                plane.coefficients()
-            ),
-        };
-        let n = plane.normal.try_normalize().ok_or_else(wrong)?;
-        let length = plane.normal.length();
-        let origin = -n * (plane.d / length);
-        // On the ground along x; on a wall level.
-        let u = DVec3::Y
-            .cross(n)
-            .try_normalize()
-            .filter(|_| n.y.abs() < 0.999)
-            .unwrap_or(DVec3::X);
-        let u = (u - n * u.dot(n)).try_normalize().ok_or_else(wrong)?;
-        let v = n.cross(u);
-        let flat = |p: &DVec3| DVec2::new((*p - origin).dot(u), (*p - origin).dot(v));
-        let first = flat(points.first().ok_or_else(wrong)?);
-        let (min, max) = points
-            .iter()
-            .map(flat)
-            .fold((first, first), |(min, max), p| (min.min(p), max.max(p)));
-        let step = round_step((max - min).max_element() / 5.0);
-        let margin = DVec2::splat(0.3 * step);
-        let (min, max) = (
-            ((min - margin) / step).floor() * step,
-            ((max + margin) / step).ceil() * step,
-        );
-        let usable = step > 0.0 && min.is_finite() && max.is_finite() && origin.is_finite();
-        if usable {
-            Ok(Patch {
-                origin,
-                u,
-                v,
-                min,
-                max,
-                step,
-            })
-        } else {
-            Err(wrong())
-        }
-    }
-
-    fn at(&self, u: f64, v: f64) -> DVec3 {
-        self.origin + self.u * u + self.v * v
-    }
-
-    /// Its corners, in order.
-    pub fn corners(&self) -> [DVec3; 4] {
-        let (a, b) = (self.min, self.max);
-        [
-            self.at(a.x, a.y),
-            self.at(b.x, a.y),
-            self.at(b.x, b.y),
-            self.at(a.x, b.y),
-        ]
-    }
-
-    /// Distance of its grid lines.
-    pub fn step(&self) -> f64 {
-        self.step
-    }
-
-    /// Draws it: the area, the grid, no outline.
-    pub fn draw(&self, sheet: &mut Sheet, view: &View) {
-        if let Some(corners) = view.contour(&self.corners()) {
-            sheet.fill(Path::polygon(&corners), Role::Ground);
-        }
-        let mut grid = Path::new();
-        let cells = (self.max - self.min) / self.step;
-        let lines = |cells: f64| (0..=cells.round().clamp(0.0, 40.0) as u32).map(f64::from);
-        for i in lines(cells.x) {
-            let u = self.min.x + i * self.step;
-            if let Some((a, b)) = view.segment(self.at(u, self.min.y), self.at(u, self.max.y)) {
-                grid.add_polyline(&[a, b]);
-            }
-        }
-        for i in lines(cells.y) {
-            let v = self.min.y + i * self.step;
-            if let Some((a, b)) = view.segment(self.at(self.min.x, v), self.at(self.max.x, v)) {
-                grid.add_polyline(&[a, b]);
-            }
-        }
-        sheet.stroke(grid, Pen::new(Role::Grid, THIN));
-    }
-}
-
-/// The least of 1, 2, 5 times a power of ten that is at least `length`; 0 where there is none.
-pub fn round_step(length: f64) -> f64 {
-    if !(length > 0.0 && length.is_finite()) {
-        return 0.0;
-    }
-    // The printed exponent is exact where a logarithm may err.
-    let exponent: i32 = format!("{length:e}")
-        .split_once('e')
-        .and_then(|(_, e)| e.parse().ok())
-        .unwrap_or(0);
-    [
-        (1, exponent),
-        (2, exponent),
-        (5, exponent),
-        (1, exponent + 1),
-    ]
-    .into_iter()
-    .filter_map(|(digit, power)| format!("{digit}e{power}").parse::<f64>().ok())
-    .find(|step| *step >= length)
-    .unwrap_or(0.0)
-}
-
 /// Three short labelled arrows at the origin, `length` long in space.
 pub fn axes(sheet: &mut Sheet, view: &View, length: f64) {
     let Some(origin) = view.project(DVec3::ZERO) else {
@@ -249,9 +150,28 @@ pub fn axes(sheet: &mut Sheet, view: &View, length: f64) {
     for (axis, name) in [(DVec3::X, "*x*"), (DVec3::Y, "*y*"), (DVec3::Z, "*z*")] {
         if let Some(tip) = view.project(axis * length) {
             crate::marks::arrow(sheet, origin, tip, Role::Axis, NORMAL);
-            sheet.label(Label::new(tip, name).towards(tip - origin).ink(Role::Axis));
+            let label = Label::new(tip, name).towards(tip - origin).ink(Role::Axis);
+            sheet.label(label.beside());
         }
     }
+}
+
+/// The edges where a mesh folds or ends, as pairs of vertices.
+pub fn creases(mesh: &Mesh) -> Vec<[usize; 2]> {
+    let normal = |face: Option<u32>| {
+        let [a, b, c] = mesh.triangle(usize::try_from(face?).ok()?)?;
+        Some((b - a).cross(c - a).normalize_or_zero())
+    };
+    let folds = |edge: &Edge| match (normal(edge.left), normal(edge.right)) {
+        (Some(left), Some(right)) => left.dot(right) < CREASE,
+        _ => true,
+    };
+    let ends = |edge: Edge| {
+        let end = |i: u32| usize::try_from(i).ok();
+        Some([end(edge.from)?, end(edge.to)?])
+    };
+    let edges = mesh.edges();
+    edges.into_iter().filter(folds).filter_map(ends).collect()
 }
 
 /// Draws a mesh: faces tinted by orientation from the back to the front, edges where it folds or ends. Back edges are

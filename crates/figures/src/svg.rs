@@ -50,7 +50,7 @@ fn written(drawing: &Drawing, attributes: &str, corner: f64) -> Result<String, F
     let title = escaped(&drawing.title);
     writer.line(&format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" role=\"img\" \
-         aria-label=\"{title}\"{attributes}>",
+         aria-label=\"{title}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"{attributes}>",
         size.width(),
         size.height(),
         canvas.x,
@@ -173,7 +173,7 @@ impl Writer<'_> {
             } => {
                 let fill = self.colour("fill", *ink);
                 let rim = format!(
-                    "{} stroke-width=\"{}\" stroke-linejoin=\"round\"",
+                    "{} stroke-width=\"{}\"",
                     self.colour("stroke", Role::Paper.into()),
                     2.0 * HALO
                 );
@@ -207,11 +207,7 @@ impl Writer<'_> {
 
     fn pen(&mut self, pen: &Pen) -> String {
         let mut text = self.paint("stroke", &pen.paint);
-        let _ = write!(
-            text,
-            " stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
-            pen.width
-        );
+        let _ = write!(text, " stroke-width=\"{}\"", pen.width);
         if let Some((dash, gap)) = pen.dash {
             let _ = write!(text, " stroke-dasharray=\"{dash} {gap}\"");
         }

@@ -31,8 +31,10 @@ pub const NOTE: f64 = 26.0;
 const SCRIPT: f64 = 0.7;
 /// Height of the minus sign and of fraction bars above the baseline, in ems.
 const MATH_AXIS: f64 = 0.314;
+/// From a fraction's bar to its letters, at least, in ems.
+const CLEAR: f64 = 0.07;
 /// Height of capitals, in ems.
-const CAPITALS: f64 = 0.729;
+pub(crate) const CAPITALS: f64 = 0.729;
 
 /// Letters of one cut and size on one baseline.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,6 +97,27 @@ impl Line {
             until: None,
         })?;
         Ok(setter.line)
+    }
+
+    /// Puts what a reader says from the byte `from` on in brackets if it is a sum.
+    fn bracket_plain(&mut self, from: usize) {
+        let part = self.plain.get(from..).unwrap_or_default();
+        if part.contains(' ') {
+            let part = format!("({part})");
+            self.plain.truncate(from);
+            self.plain.push_str(&part);
+        }
+    }
+
+    /// Moves its runs and bars from the given ones on down by `by`.
+    fn shift(&mut self, runs: usize, bars: usize, by: f64) {
+        let by = DVec2::new(0.0, by);
+        for run in self.runs.iter_mut().skip(runs) {
+            run.at += by;
+        }
+        for bar in self.bars.iter_mut().skip(bars) {
+            *bar = Rect::new(bar.min + by, bar.max + by);
+        }
     }
 
     /// The smallest letters in it.
@@ -297,13 +320,24 @@ impl Setter<'_> {
         let left = self.line.width + 0.06 * setting.size;
 
         let (first, plain) = (self.line.runs.len(), self.line.plain.len());
+        let before = self.line.bars.len();
+        let outside = (self.line.ascent, self.line.descent);
+        (self.line.ascent, self.line.descent) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         self.line.width = left;
         self.previous = None;
         self.sequence(part(axis + gap, '|'))?;
         let numerator = self.line.width - left;
+        self.line.bracket_plain(plain);
         self.line.plain.push('/');
+        let over = self.line.plain.len();
+        // What hangs below its baseline, such as a subscript, lifts the whole.
+        let clear = CLEAR * setting.size;
+        let up = (axis + clear + self.line.descent).max(0.0);
+        self.line.shift(first, before, -up);
+        let ascent = outside.0.max(self.line.ascent + up);
 
-        let middle = self.line.runs.len();
+        let (middle, bars) = (self.line.runs.len(), self.line.bars.len());
+        (self.line.ascent, self.line.descent) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         self.line.width = left;
         self.previous = None;
         self.sequence(part(axis - gap - CAPITALS * size, '}'))?;
@@ -311,11 +345,24 @@ impl Setter<'_> {
         if self.line.plain.len() <= plain + 1 {
             return self.fail("a fraction is {numerator|denominator}");
         }
+        self.line.bracket_plain(over);
+        // What rises above capitals, such as a superscript, lowers the whole.
+        let down = (self.line.ascent - axis + clear).max(0.0);
+        self.line.shift(middle, bars, down);
+        let descent = outside.1.max(self.line.descent + down);
+        (self.line.ascent, self.line.descent) = (ascent, descent);
 
         // The narrower of the two moves to the middle of the wider.
         let width = numerator.max(denominator);
         for (i, run) in self.line.runs.iter_mut().enumerate().skip(first) {
             run.at.x += 0.5 * (width - if i < middle { numerator } else { denominator });
+        }
+        for (i, bar) in self.line.bars.iter_mut().enumerate().skip(before) {
+            let aside = 0.5 * (width - if i < bars { numerator } else { denominator });
+            *bar = Rect::new(
+                bar.min + DVec2::new(aside, 0.0),
+                bar.max + DVec2::new(aside, 0.0),
+            );
         }
         let (half, edge) = (0.035 * setting.size, 0.04 * setting.size);
         let rise = -(setting.rise + axis);
@@ -448,6 +495,7 @@ mod tests {
 
     #[test]
     fn a_fraction_is_stacked_around_the_height_of_the_minus() {
+        assert_eq!(Line::new("{1 + *x*|7}", LABEL).unwrap().plain, "(1 + x)/7");
         let line = line("−{300|7}");
         assert_eq!(line.plain, "−300/7");
         let [minus, over, under] = &line.runs[..] else {
@@ -463,6 +511,46 @@ mod tests {
             assert!(run.at.x >= bar.min.x && run.at.x + run.width <= bar.max.x);
         }
         assert!(minus.width <= bar.min.x);
+    }
+
+    #[test]
+    fn nothing_in_a_fraction_touches_its_bar() {
+        for markup in [
+            "{*L*_y *V*_x − *L*_x *V*_y|*L*_y − *V*_y}",
+            "{(*g*)|*x*^2}",
+            "{1|{2|3_y}}",
+            "{300|7}",
+        ] {
+            let line = line(markup);
+            // The outer bar is the longest; every glyph lies above or below it.
+            let bar = line
+                .bars
+                .iter()
+                .copied()
+                .max_by(|a, b| a.size().x.total_cmp(&b.size().x));
+            let bar = bar.unwrap();
+            for run in &line.runs {
+                for &(glyph, offset) in &run.glyphs {
+                    let Some(extent) = run.cut.font().unwrap().extent(glyph) else {
+                        continue;
+                    };
+                    let base = run.at.y + offset.y;
+                    let (top, bottom) = (
+                        base - extent.max.y * run.size,
+                        base - extent.min.y * run.size,
+                    );
+                    assert!(
+                        bottom < bar.min.y || top > bar.max.y,
+                        "{markup}: {}",
+                        run.text
+                    );
+                    assert!(
+                        line.ascent >= -top - 1e-9 && line.descent >= bottom - 1e-9,
+                        "{markup}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]

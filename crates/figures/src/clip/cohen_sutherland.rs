@@ -1,0 +1,121 @@
+//! Cohen–Sutherland: a segment cut twice, with the codes at every step.
+
+use ombra_clip::cohen_sutherland::{Decision, Step, trace};
+use ombra_clip::window::Side;
+use ombra_clip::{Segment, Window};
+use ombra_math::glam::DVec2;
+
+use super::{Board, NAMES, window};
+use crate::colour::Role;
+use crate::drawing::{EMPHASIS, NORMAL, Pen, THIN};
+use crate::error::FigureError;
+use crate::figure::{Figure, Takes};
+use crate::labels::Key;
+use crate::marks;
+use crate::number::exact;
+use crate::panels::panels;
+use crate::path::Rect;
+use crate::sheet::{Align, Sheet};
+use crate::style::Language;
+use crate::text::LABEL;
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "clip/cohen-sutherland-steps",
+    takes: Takes {
+        light: false,
+        plane: false,
+        mesh: false,
+    },
+    summary: Key::CohenSutherlandSummary,
+    caption: Key::CohenSutherlandCaption,
+    drawn: |sheet, _| draw(sheet),
+};
+
+const WINDOW: Window = window(0.0, 0.0, 10.0, 10.0);
+const SHOWN: Window = window(-4.0, -5.2, 14.0, 15.2);
+/// Cut above, then below.
+const SEGMENT: Segment = Segment::new(DVec2::new(2.0, 14.0), DVec2::new(8.0, -4.0));
+
+fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
+    let language = sheet.style().language;
+    let steps = trace(&WINDOW, SEGMENT);
+    let lines: Vec<String> = steps.iter().map(|step| decision(step, language)).collect();
+    let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
+    let panels = panels(sheet, &lines, 1.5)?;
+    for (panel, step) in panels.into_iter().zip(&steps) {
+        draw_step(sheet, panel, step)?;
+    }
+    Ok(())
+}
+
+/// What the codes decide, in one line.
+fn decision(step: &Step, language: Language) -> String {
+    let [a, b] = step.codes;
+    let (either, both) = (a | b, a & b);
+    match step.decision {
+        Decision::Accept => format!("OR {either}: {}", Key::Accept.text(language)),
+        Decision::Reject => format!("AND {both}: {}", Key::Reject.text(language)),
+        Decision::Cut { side, .. } => {
+            let (axis, at) = line(side);
+            // Unbreakable spaces keep the cut on one line.
+            let cut =
+                format!("{} *{axis}* = {at}", Key::CutAt.text(language)).replace(' ', "\u{a0}");
+            format!("OR {either}, AND {both}: {cut}")
+        }
+    }
+}
+
+/// A side's line: its axis and the name of its place.
+fn line(side: Side) -> (&'static str, &'static str) {
+    let [above, below, right, left] = NAMES;
+    match side {
+        Side::Above => ("y", above),
+        Side::Below => ("y", below),
+        Side::Right => ("x", right),
+        Side::Left => ("x", left),
+    }
+}
+
+fn draw_step(sheet: &mut Sheet, panel: Rect, step: &Step) -> Result<(), FigureError> {
+    let board = Board::fit(WINDOW, SHOWN, panel)?;
+    board.draw_window(sheet);
+    let [above, below, ..] = board.lines();
+    for ([a, b], name) in [above, below].into_iter().zip(NAMES) {
+        let [a, b] = [a, b].map(|p| board.at(p));
+        sheet.line(a, b, Pen::new(Role::Receiver, THIN).dashed());
+        let place = a - DVec2::new(0.0, 0.8 * LABEL);
+        sheet.text(place, Align::Left, name, LABEL, Role::Text)?;
+    }
+
+    let all = [SEGMENT.a, SEGMENT.b].map(|p| board.at(p));
+    sheet.line(all[0], all[1], Pen::new(Role::Rejected, THIN).dashed());
+    let done = step.decision == Decision::Accept;
+    let [a, b] = [step.segment.a, step.segment.b].map(|p| board.at(p));
+    let pen = if done {
+        Pen::new(Role::Chosen, EMPHASIS)
+    } else {
+        Pen::new(Role::Undecided, NORMAL)
+    };
+    sheet.line(a, b, pen);
+    let ends = [
+        ("A", step.segment.a, SEGMENT.a),
+        ("B", step.segment.b, SEGMENT.b),
+    ];
+    for ((name, end, start), code) in ends.into_iter().zip(step.codes) {
+        let prime = if end == start { "" } else { "′" };
+        let label = if done {
+            format!("*{name}*{prime} ({}, {})", exact(end.x), exact(end.y))
+        } else {
+            format!("*{name}*{prime} {code}")
+        };
+        if code.is_inside() {
+            marks::point(sheet, board.at(end), Role::Chosen);
+        } else {
+            marks::hollow_point(sheet, board.at(end), Role::Undecided);
+        }
+        // Where the segment leaves the most room.
+        let aside = if name == "A" { DVec2::X } else { DVec2::NEG_X };
+        board.name(sheet, end, label, aside);
+    }
+    Ok(())
+}

@@ -1,0 +1,112 @@
+//! An ellipse instead of a shadow, over the true one.
+
+use ombra_math::glam::{DVec2, DVec3, DVec4};
+use ombra_math::plane::Plane;
+use ombra_math::solids::slide_cube;
+use ombra_shadows::fake::ellipse;
+
+use super::scene::{Scene, on_sheet};
+use crate::colour::Role;
+use crate::drawing::{EMPHASIS, Pen, THIN};
+use crate::error::FigureError;
+use crate::figure::{Figure, Inputs, Takes};
+use crate::labels::Key;
+use crate::object::NamedMesh;
+use crate::path::Path;
+use crate::sheet::{Label, Sheet};
+use crate::space::mesh;
+
+/// Olomouc, Zjednodušení; Croatian 8.4, lažne sjene.
+pub(super) const FIGURE: Figure = Figure {
+    id: "shadows/fake",
+    takes: Takes {
+        light: true,
+        plane: false,
+        mesh: true,
+    },
+    summary: Key::FakeSummary,
+    caption: Key::FakeCaption,
+    drawn: |sheet, inputs| {
+        let light = DVec4::new(6.0, 7.0, -3.0, 0.0);
+        let scene = Scene::new(&lowered(inputs), slide_cube, light, Plane::GROUND)?;
+        let fake = ellipse(&scene.mesh.positions, scene.plane, scene.light).ok_or_else(|| {
+            FigureError::Scene {
+                reason: format!(
+                    "--light {} casts no shadow of the object's middle on the ground, where the ellipse would lie",
+                    scene.light
+                ),
+            }
+        })?;
+        let rim: Vec<DVec3> = (0..CORNERS)
+            .map(|i| fake.point(core::f64::consts::TAU * f64::from(i) / f64::from(CORNERS)))
+            .collect();
+        let stage = scene.stage(sheet.frame(), &rim)?;
+        let view = &stage.view;
+        stage.patch.draw(sheet, view);
+        scene.draw_shadow(sheet, &stage);
+
+        let language = sheet.style().language;
+        let shadow: Vec<DVec2> = scene
+            .casts
+            .iter()
+            .filter_map(|p| on_sheet(sheet, view, (*p)?))
+            .collect();
+        if let Some(rim) = view.contour(&rim) {
+            sheet.stroke_unmarked(Path::hatching(&rim, 16.0), Pen::new(Role::Chosen, THIN));
+            sheet.stroke(Path::polygon(&rim), Pen::new(Role::Chosen, EMPHASIS));
+            let words = Key::FakeShadow.text(language);
+            name_ellipse(sheet, &rim, &shadow, words);
+        }
+        if let Some(leftmost) = shadow.into_iter().min_by(|a, b| a.x.total_cmp(&b.x)) {
+            let label = Label::new(leftmost, Key::TrueShadow.text(language));
+            sheet.label(label.towards(DVec2::NEG_X).ink(Role::Shadow));
+        }
+
+        mesh(sheet, view, &scene.mesh, Role::Occluder);
+        scene.draw_light(sheet, view);
+        Ok(())
+    },
+};
+
+/// Near the ground, over which it hovers as high as this share of its radius.
+const HEIGHT: f64 = 0.6;
+
+/// The object a little above the ground, where a fake shadow serves best; no coordinates are shown here.
+fn lowered(inputs: &Inputs) -> Inputs {
+    let mut object = inputs.mesh.clone().unwrap_or_else(|| NamedMesh {
+        name: "cube".to_owned(),
+        mesh: slide_cube(),
+    });
+    if let Some([low, high]) = object.mesh.bounds() {
+        let down = low.y - HEIGHT * 0.5 * (high - low).length();
+        for p in &mut object.mesh.positions {
+            p.y -= down;
+        }
+    }
+    Inputs {
+        light: inputs.light,
+        plane: None,
+        mesh: Some(object),
+    }
+}
+
+/// Corners that stand for the ellipse.
+const CORNERS: u32 = 72;
+
+/// Leads out of the shadow, to the lower right.
+fn name_ellipse(sheet: &mut Sheet, rim: &[DVec2], shadow: &[DVec2], words: &str) {
+    let out = DVec2::new(0.8, 0.6);
+    let outermost = rim
+        .iter()
+        .copied()
+        .max_by(|a, b| a.dot(out).total_cmp(&b.dot(out)));
+    let Some(start) = outermost else { return };
+    let beyond = shadow
+        .iter()
+        .map(|p| p.dot(out))
+        .fold(start.dot(out), f64::max);
+    let end = start + out * (beyond - start.dot(out) + 26.0);
+    sheet.line(start, end, Pen::new(Role::Chosen, THIN));
+    let label = Label::new(end, words).reach(2.0).towards(DVec2::X);
+    sheet.label(label.beside().ink(Role::Chosen));
+}

@@ -1,0 +1,134 @@
+//! One light, one plate at three heights: the matrix draws a shadow each time, and only one is true.
+
+use ombra_math::glam::{DVec2, DVec3, DVec4};
+use ombra_math::homogeneous::{point, project};
+use ombra_math::plane::Plane;
+use ombra_shadows::planar::{Placement, classify, shadow_matrix};
+
+use crate::colour::Role;
+use crate::drawing::{EMPHASIS, NORMAL, Pen};
+use crate::error::FigureError;
+use crate::figure::{Figure, Takes};
+use crate::labels::Key;
+use crate::marks;
+use crate::number::exact;
+use crate::panels::panels;
+use crate::path::{Path, Rect};
+use crate::section::{STRIP, Section, ground};
+use crate::sheet::{Label, Sheet};
+use crate::text::NOTE;
+
+/// Olomouc, Nevýhody; Croatian 8.4, projicirane sjene.
+pub(super) const FIGURE: Figure = Figure {
+    id: "shadows/false-shadow",
+    takes: Takes {
+        light: false,
+        plane: false,
+        mesh: false,
+    },
+    summary: Key::FalseShadowSummary,
+    caption: Key::FalseShadowCaption,
+    drawn: |sheet, _| {
+        let language = sheet.style().language;
+        let lines = HEIGHTS.map(|height| line_of(height).text(language));
+        let frames = panels(sheet, &lines, 1.45)?;
+        for (frame, height) in frames.into_iter().zip(HEIGHTS) {
+            draw(sheet, frame, height)?;
+        }
+        Ok(())
+    },
+};
+
+const LIGHT: DVec4 = DVec4::new(0.0, 4.0, 0.0, 1.0);
+/// The plate's height in each panel, and its ends.
+const HEIGHTS: [f64; 3] = [2.0, -2.0, 6.0];
+const ENDS: [f64; 2] = [-0.2, 0.9];
+/// What every panel shows.
+const SHOWN: [DVec2; 2] = [DVec2::new(-2.0, -2.3), DVec2::new(2.0, 6.2)];
+/// The light stands this share of a panel's width right of its middle, which leaves room for words on the left.
+const ASIDE: f64 = 0.16;
+
+/// The panel's line, by what the library says of the plate.
+fn line_of(height: f64) -> Key {
+    match classify(Plane::GROUND, LIGHT, DVec3::new(ENDS[0], height, 0.0)) {
+        Some(Placement::Casts) => Key::FalseShadowBetween,
+        Some(Placement::BehindPlane) => Key::FalseShadowBehindPlane,
+        _ => Key::FalseShadowBeyondLight,
+    }
+}
+
+fn draw(sheet: &mut Sheet, panel: Rect, height: f64) -> Result<(), FigureError> {
+    let mut frame = panel;
+    frame.min.x += 2.0 * ASIDE * panel.size().x;
+    let section = Section::fit(&SHOWN, frame)?;
+    let at = |p: DVec3| section.at(p.truncate());
+    let language = sheet.style().language;
+
+    let line = section.at(DVec2::ZERO).y;
+    let edge = |x| DVec2::new(x, line);
+    ground(sheet, edge(panel.min.x), edge(panel.max.x));
+
+    let light = LIGHT.truncate();
+    let plate = ENDS.map(|x| DVec3::new(x, height, 0.0));
+    let drawn_by_matrix = |v: DVec3| -> Option<DVec3> {
+        project(shadow_matrix(Plane::GROUND, LIGHT).ok()? * point(v))
+    };
+    let shadow = plate.map(|v| drawn_by_matrix(v).unwrap_or_default());
+    let is_true = line_of(height) == Key::FalseShadowBetween;
+
+    for (v, p) in plate.into_iter().zip(shadow) {
+        // In order along the ray; light travels as far as the first thing it meets.
+        let (first, last) = match line_of(height) {
+            Key::FalseShadowBetween => (v, p),
+            _ => (p, v),
+        };
+        marks::ray_from_sun(sheet, at(light), at(first));
+        let from = if line_of(height) == Key::FalseShadowBeyondLight {
+            light
+        } else {
+            first
+        };
+        marks::stopped_ray(sheet, at(from), at(last));
+        sheet.avoid(&Path::line(at(from), at(last)));
+    }
+
+    let [a, b] = shadow.map(at);
+    if is_true {
+        sheet.line(a, b, Pen::new(Role::Shadow, 2.0 * EMPHASIS));
+    } else {
+        // Hollow: nothing is dark there.
+        let half = DVec2::new(0.0, EMPHASIS);
+        let bar = Path::polygon(&[a - half, b - half, b + half, a + half]);
+        sheet.fill(bar.clone(), Role::Paper);
+        sheet.stroke(bar, Pen::new(Role::Rejected, NORMAL).dashed());
+    }
+    let [c, d] = plate.map(at);
+    sheet.line(c, d, Pen::new(Role::Occluder, 2.0 * EMPHASIS));
+    marks::sun(sheet, at(light));
+
+    let words = if is_true {
+        Key::TrueShadow
+    } else {
+        Key::FalseShadow
+    };
+    // Below the ground's hatched strip, clear of rays that go on there.
+    let (under, side) = match line_of(height) {
+        Key::FalseShadowBehindPlane => (a.min(b), DVec2::new(-1.0, 1.0)),
+        _ => ((a + b) * 0.5, DVec2::Y),
+    };
+    let label = Label::new(under + DVec2::new(0.0, STRIP), words.text(language));
+    sheet.label(label.towards(side).size(NOTE).within(panel));
+    sheet.label(
+        Label::new(at(light), "**L**")
+            .reach(marks::SUN + 2.0)
+            .towards(DVec2::NEG_X),
+    );
+    let t = exact(height / (height - LIGHT.y));
+    sheet.label(
+        Label::new(c, format!("*t* = {t}"))
+            .reach(EMPHASIS + 4.0)
+            .towards(DVec2::NEG_X)
+            .within(panel),
+    );
+    Ok(())
+}

@@ -1,0 +1,109 @@
+//! What the figures of the clipping lecture show, against the lecture's answers.
+
+#![allow(clippy::unwrap_used)]
+
+use ombra_figures::figure::{Inputs, select};
+use ombra_figures::style::Style;
+
+fn words(id: &str) -> Vec<String> {
+    let figure = select(&[id]).unwrap()[0];
+    let drawing = figure.draw(&Style::default(), &Inputs::default()).unwrap();
+    drawing.labels.into_iter().map(|label| label.text).collect()
+}
+
+fn says(id: &str, expected: &[&str]) {
+    let words = words(id);
+    for line in expected {
+        assert!(
+            words.iter().any(|word| word == line),
+            "'{line}' is not among {words:?}"
+        );
+    }
+}
+
+fn count(id: &str, word: &str) -> usize {
+    words(id).iter().filter(|found| *found == word).count()
+}
+
+/// Three points lie outside: right, below, and left above.
+#[test]
+fn a_point_outside_breaks_the_inequality_beside_it() {
+    for broken in ["x < xmin", "x > xmax", "y < ymin", "y > ymax"] {
+        assert_eq!(count("clip/point-window", broken), 1, "{broken}");
+    }
+}
+
+/// Grafica 3, Clipping di un segmento: AB stays, CD and GH are cut, EF and IJ go.
+#[test]
+fn segments_get_new_ends_where_they_cross_the_border() {
+    let id = "clip/segment-cases";
+    for (name, times) in ["A", "B", "C", "D", "E", "F", "G", "H", "I", "J"].map(|name| (name, 1)) {
+        assert_eq!(count(id, name), times, "{name}");
+    }
+    for (name, times) in [
+        ("D", 1),
+        ("G", 1),
+        ("H", 1),
+        ("I", 1),
+        ("J", 1),
+        ("A", 0),
+        ("B", 0),
+        ("C", 0),
+        ("E", 0),
+        ("F", 0),
+    ] {
+        assert_eq!(count(id, &format!("{name}′")), times, "{name}′");
+    }
+}
+
+/// Four regions beyond one side, four beyond two: 12 digits 1 of 36, and none in the middle.
+#[test]
+fn outcodes_have_a_1_for_each_side_beyond() {
+    let digits: String = words("clip/outcodes")
+        .into_iter()
+        .filter(|word| word == "0" || word == "1")
+        .collect();
+    // Row by row from below, left to right.
+    assert_eq!(digits, "010101000110000100000010100110001010");
+    says(
+        "clip/outcodes",
+        &[
+            "bit 1", "y > ymax", "bit 2", "y < ymin", "bit 3", "x > xmax", "bit 4", "x < xmin",
+        ],
+    );
+}
+
+/// (2, 14)→(8, −4): x = 2 + 6·4/18 = 10/3 at y = 10, x = 2 + 6·14/18 = 20/3 at y = 0.
+#[test]
+fn cohen_sutherland_cuts_twice() {
+    let id = "clip/cohen-sutherland-steps";
+    says(
+        id,
+        &[
+            "A 1000",
+            "B 0100",
+            "A′ 0000",
+            "A′ (10/3, 10)",
+            "B′ (20/3, 0)",
+        ],
+    );
+    assert_eq!(count(id, "B 0100"), 2);
+    let words = words(id);
+    let sentence = |words: &[String]| words.join(" ").replace('\u{a0}', " ");
+    let all = sentence(&words);
+    for line in [
+        "OR 1100, AND 0000: cut at y = ymax",
+        "OR 0100, AND 0000: cut at y = ymin",
+        "OR 0000: accepted",
+    ] {
+        assert!(all.contains(line), "'{line}' is not in {all}");
+    }
+}
+
+#[test]
+fn sutherland_hodgman_goes_round_the_window() {
+    says(
+        "clip/sutherland-hodgman-steps",
+        &["y ≤ ymax", "y ≥ ymin", "x ≤ xmax", "x ≥ xmin"],
+    );
+}
