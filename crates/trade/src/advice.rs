@@ -19,7 +19,8 @@ pub struct Stretch {
 ///
 /// # Properties
 ///
-/// A technique keeps the tolerance at a setting when no answer is missing and none is farther from the truth. Which of
+/// A technique keeps the tolerance at a setting when its error there, by the study's first measure, does not exceed it.
+/// Which of
 /// two is cheaper is decided once for the sweep, by the median of their ratios to the baseline, so that the noise of
 /// single times does not make the advice waver.
 #[must_use]
@@ -33,7 +34,7 @@ pub fn stretches(sweep: &Measured, tolerance: f64) -> Vec<Stretch> {
             let good = question
                 .rows
                 .iter()
-                .filter(|row| row.technique == *technique && row.deviation.worst() <= tolerance);
+                .filter(|row| row.technique == *technique && row.error <= tolerance);
             good.min_by(|a, b| a.ratio.total_cmp(&b.ratio))
         };
         let best = by_cost.iter().find_map(keeps);
@@ -107,6 +108,23 @@ pub fn times(ratio: f64) -> String {
     }
 }
 
+/// A share in percent with two digits: `0.0031 %`, `4.2 %`, `87 %`.
+#[must_use]
+pub fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    // The power of ten of the first digit, after rounding to two.
+    let text = format!("{percent:.1e}");
+    let exponent = text
+        .split_once('e')
+        .and_then(|(_, e)| e.parse::<i32>().ok());
+    let decimals = (1 - exponent.unwrap_or(1)).clamp(0, 9) as usize;
+    match percent {
+        0.0 => "0 %".to_owned(),
+        100.0 => "100 %".to_owned(),
+        _ => format!("{percent:.decimals$} %"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -120,7 +138,9 @@ mod tests {
             technique,
             setting,
             // Without an error, one of two answers is missing and the other right.
+            error: Deviation::of([Some(0.0), error]).worst(),
             deviation: Deviation::of([Some(0.0), error]),
+            faults: vec![],
             work: Work::default(),
             nanoseconds: Quartiles::of(&[ratio]),
             ratio,
@@ -220,6 +240,16 @@ mod tests {
             (times(0.635), times(9.94), times(48.9)),
             ("0.6".into(), "9.9".into(), "49".into())
         );
+        for (share, text) in [
+            (0.0, "0 %"),
+            (1.0, "100 %"),
+            (0.5, "50 %"),
+            (0.0423, "4.2 %"),
+            (0.0999, "10 %"),
+            (3.1e-5, "0.0031 %"),
+        ] {
+            assert_eq!(percent(share), text);
+        }
         let parts = ["a", "b", "c"].map(str::to_owned);
         assert_eq!(listed(&parts), "a, b and c");
         assert_eq!(listed(&parts[..2]), "a and b");

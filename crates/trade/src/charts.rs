@@ -1,40 +1,70 @@
-//! The two charts of a sweep: error over the knob, and cost against error.
+//! The charts of a sweep: error over the knob, time over the knob, and cost against error.
 
 use ombra_figures::chart::{Axis, Chart, Scale, Series};
 use ombra_figures::drawing::Drawing;
 use ombra_figures::style::Style;
 
+use crate::deviation::Measure;
 use crate::error::TradeError;
 use crate::report::{Measured, Report, Row};
 
-/// Both charts of every sweep that has anything to show in them.
+/// The charts of every sweep that have anything to show.
 pub fn draw(report: &Report, style: &Style) -> Result<Vec<Drawing>, TradeError> {
-    let charts = report
-        .sweeps
-        .iter()
-        .flat_map(|sweep| [over_knob(report, sweep), against_cost(report, sweep)]);
+    let charts = report.sweeps.iter().flat_map(|sweep| {
+        let errors = report.errors.iter().enumerate();
+        let mut charts: Vec<_> = errors
+            .map(|(i, &measure)| error_over_knob(report, sweep, measure, i == 0))
+            .collect();
+        charts.push(time_over_knob(report, sweep));
+        charts.push(against_cost(report, sweep));
+        charts
+    });
     let shown = charts.filter(|chart| chart.series.iter().any(|series| !series.points.is_empty()));
     shown.map(|chart| Ok(chart.draw(style)?)).collect()
 }
 
-/// A curve a technique: its largest error over the knob. It ends where answers go missing; one that never begins
-/// stays in the list, so that a technique has the same colour in all charts of its study.
-fn over_knob(report: &Report, sweep: &Measured) -> Chart {
-    let rows = || sweep.questions.iter().flat_map(|q| &q.rows);
-    let (y, floor) = error_axis(report, rows());
+/// A curve a technique: its error over the knob. It ends where answers go missing; one that never begins stays in the
+/// list, so that a technique has the same colour in all charts of its study.
+fn error_over_knob(report: &Report, sweep: &Measured, measure: Measure, is_first: bool) -> Chart {
+    let (y, floor) = error_axis(measure, rows(sweep));
+    let error = |row: &Row| measure.of(&row.deviation);
     let series = sweep.techniques().into_iter().map(|technique| {
-        let points =
-            shown(sweep.rows_of(technique), floor).map(|(row, error)| (row.setting, error));
-        Series::new(technique, points.collect())
+        let points = shown(sweep.rows_of(technique), error, floor);
+        let points = points.map(|(row, error)| (row.setting, error));
+        Series::new(technique, from_left_to_right(points.collect()))
+    });
+    let kind = match measure {
+        _ if is_first => "error",
+        Measure::Largest(_) => "largest",
+        Measure::Share(_) => "share",
+    };
+    Chart {
+        id: format!("trade/{}/{}-{kind}", report.study, sweep.name),
+        title: format!("{}: {measure} over {}", report.summary, sweep.knob),
+        x: knob_axis(sweep),
+        y,
+        series: coinciding_as_one(series.collect()),
+        pareto: None,
+    }
+}
+
+/// A curve a technique: its time over the knob, right or wrong.
+fn time_over_knob(report: &Report, sweep: &Measured) -> Chart {
+    let series = sweep.techniques().into_iter().map(|technique| {
+        let times = sweep
+            .rows_of(technique)
+            .map(|row| (row.setting, row.nanoseconds.median));
+        let points = times.filter(|&(_, time)| time > 0.0 && time.is_finite());
+        Series::new(technique, from_left_to_right(points.collect()))
     });
     Chart {
-        id: format!("trade/{}/{}-error", report.study, sweep.name),
+        id: format!("trade/{}/{}-time", report.study, sweep.name),
         title: format!(
-            "{}: largest {} over {}",
-            report.summary, report.error, sweep.knob
+            "{}: time a {} over {}",
+            report.summary, report.unit, sweep.knob
         ),
-        x: Axis::new(sweep.knob, "", scale(rows().map(|row| row.setting))),
-        y,
+        x: knob_axis(sweep),
+        y: Axis::new(format!("time a {}", report.unit), "ns", Scale::Log),
         series: series.collect(),
         pareto: None,
     }
@@ -49,10 +79,16 @@ fn against_cost(report: &Report, sweep: &Measured) -> Chart {
             .into_iter()
             .flat_map(|q| &q.rows)
     };
-    let (y, floor) = error_axis(report, rows());
+    let measure = report
+        .errors
+        .first()
+        .copied()
+        .unwrap_or(Measure::Largest("error"));
+    let (y, floor) = error_axis(measure, rows());
+    let error = |row: &Row| row.error;
     let series = sweep.techniques().into_iter().map(|technique| {
         let mine = rows().filter(|row| row.technique == technique);
-        let points: Vec<_> = shown(mine, floor)
+        let points: Vec<_> = shown(mine, error, floor)
             .map(|(row, error)| (row.ratio, error))
             .collect();
         Series {
@@ -75,16 +111,13 @@ fn against_cost(report: &Report, sweep: &Measured) -> Chart {
             row.setting.to_string()
         }
     };
-    let front = shown(rows().filter(|row| row.on_front), floor)
+    let front = shown(rows().filter(|row| row.on_front), error, floor)
         .map(|(row, error)| (name(row), (row.ratio, error)));
     let inputs = sweep.questions.get(sweep.charted).map_or("", |q| &q.inputs);
     let baseline = rows().next().map_or("", |row| row.technique);
     Chart {
         id: format!("trade/{}/{}-cost", report.study, sweep.name),
-        title: format!(
-            "{}: {} against time, {inputs}",
-            report.summary, report.error
-        ),
+        title: format!("{}: {measure} against time, {inputs}", report.summary),
         x: Axis::new(
             format!("time a {} / {baseline}'s", report.unit),
             "",
@@ -96,35 +129,79 @@ fn against_cost(report: &Report, sweep: &Measured) -> Chart {
     }
 }
 
-/// Rows with all answers, and where their error is drawn.
-fn shown<'a>(
-    rows: impl Iterator<Item = &'a Row>,
-    floor: f64,
-) -> impl Iterator<Item = (&'a Row, f64)> {
-    rows.filter(|row| row.deviation.worst().is_finite())
-        .map(move |row| (row, row.deviation.worst().max(floor)))
+fn rows(sweep: &Measured) -> impl Iterator<Item = &Row> {
+    sweep.questions.iter().flat_map(|q| &q.rows)
 }
 
-/// The axis of errors, and the place of an error of 0, which a logarithm does not have: a decade below all others.
-fn error_axis<'a>(report: &Report, rows: impl Iterator<Item = &'a Row>) -> (Axis, f64) {
-    let worst: Vec<f64> = rows
-        .map(|row| row.deviation.worst())
+fn knob_axis(sweep: &Measured) -> Axis {
+    Axis::new(sweep.knob, "", scale(rows(sweep).map(|row| row.setting)))
+}
+
+/// By the knob, whatever is easy or hard: a curve's name stands at its right end, where there is room for it.
+fn from_left_to_right(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points
+}
+
+/// Curves that lie on one another all along become one with both names, or the first one's and how many it stands for;
+/// a curve keeps its place, and with it its colour.
+fn coinciding_as_one(mut series: Vec<Series>) -> Vec<Series> {
+    for i in 0..series.len() {
+        let (before, rest) = series.split_at_mut(i + 1);
+        let Some(this) = before.last_mut().filter(|this| !this.points.is_empty()) else {
+            continue;
+        };
+        let same = rest.iter_mut().filter(|other| other.points == this.points);
+        let hidden: Vec<String> = same
+            .map(|other| {
+                other.points.clear();
+                core::mem::take(&mut other.name)
+            })
+            .collect();
+        match hidden.as_slice() {
+            [] => {}
+            [one] => this.name = format!("{}, {one}", this.name),
+            // Three names leave no room for the curves.
+            several => this.name = format!("{} and {} others", this.name, several.len()),
+        }
+    }
+    series
+}
+
+/// Rows that have an error, and where it is drawn.
+fn shown<'a>(
+    rows: impl Iterator<Item = &'a Row>,
+    error: impl Fn(&Row) -> f64,
+    floor: f64,
+) -> impl Iterator<Item = (&'a Row, f64)> {
+    rows.map(move |row| (row, error(row)))
+        .filter(|(_, error)| error.is_finite())
+        .map(move |(row, error)| (row, error.max(floor)))
+}
+
+/// The axis of errors, and the place of an error of 0, which a logarithm does not have: below all others, and above the
+/// axis, where its name would stand among the ticks.
+fn error_axis<'a>(measure: Measure, rows: impl Iterator<Item = &'a Row>) -> (Axis, f64) {
+    let errors: Vec<f64> = rows
+        .map(|row| measure.of(&row.deviation))
         .filter(|e| e.is_finite())
         .collect();
-    let least = worst
+    let least = errors
         .iter()
         .copied()
         .filter(|&e| e > 0.0)
         .fold(f64::INFINITY, f64::min);
-    let (title, floor) = if !worst.contains(&0.0) {
-        (format!("largest {}", report.error), 0.0)
+    let (title, floor) = if !errors.contains(&0.0) {
+        (measure.to_string(), 0.0)
     } else if least.is_finite() {
+        // A third of a decade above one that is whole: the axis begins at that.
+        let below = libm::exp10(libm::floor(libm::log10(least)) - 1.0);
         (
-            format!("largest {} (0: lowest line)", report.error),
-            (least / 10.0).max(f64::MIN_POSITIVE),
+            format!("{measure} (0: lowest marks)"),
+            (2.0 * below).max(f64::MIN_POSITIVE),
         )
     } else {
-        (format!("largest {} (all 0)", report.error), 1.0)
+        (format!("{measure} (all 0)"), 2.0)
     };
     (Axis::new(title, "", Scale::Log), floor)
 }

@@ -127,6 +127,27 @@ impl Exact {
         signed(libm::scalbn(value, exponent.clamp(-5000, 5000) as i32))
     }
 
+    /// x / y to a multiple of 2⁻ᵇⁱᵗˢ, the nearer one to 0; `None` by 0.
+    ///
+    /// For sums of quotients, where exact ones would need a common denominator: with a few hundred bits, what is
+    /// cut off is out of the sight of any double.
+    #[must_use]
+    pub fn quotient(&self, y: &Self, bits: u32) -> Option<Self> {
+        if y.sign() == Ordering::Equal {
+            return None;
+        }
+        let shift = self.exponent - y.exponent + i64::from(bits);
+        let integer = if shift >= 0 {
+            (&self.integer << shift) / &y.integer
+        } else {
+            &self.integer / (&y.integer << -shift)
+        };
+        Some(Self {
+            integer,
+            exponent: -i64::from(bits),
+        })
+    }
+
     /// Both integers with the smaller of the two exponents.
     fn aligned(&self, other: &Self, combine: impl Fn(&BigInt, &BigInt) -> BigInt) -> Self {
         let exponent = match (self.sign(), other.sign()) {
@@ -251,6 +272,18 @@ mod tests {
         }
 
         #[test]
+        fn quotients_are_within_a_unit_towards_zero(a in finite(), b in finite(), bits in 0..300u32) {
+            prop_assume!(b != 0.0);
+            let found = rational(&exact(a).quotient(&exact(b), bits).unwrap());
+            let truth = BigRational::from_float(a).unwrap() / BigRational::from_float(b).unwrap();
+            let cut_off = &truth - &found;
+            let unit = BigRational::new(BigInt::from(1), BigInt::from(1) << bits);
+            prop_assert!(-&unit < cut_off && cut_off < unit, "{a:e} / {b:e}");
+            let zero = BigRational::from_integer(BigInt::from(0));
+            prop_assert!(cut_off == zero || (cut_off < zero) == (truth < zero));
+        }
+
+        #[test]
         fn a_double_over_one_is_itself(x in finite()) {
             prop_assert_eq!(exact(x).ratio(&Exact::one()), x);
         }
@@ -268,5 +301,7 @@ mod tests {
         assert_eq!(exact(5e-324).ratio(&exact(f64::MAX)), 0.0);
         assert_eq!(exact(5e-324).ratio(&Exact::one()), 5e-324);
         assert_eq!((-&exact(2.0)).abs(), exact(2.0));
+        assert_eq!(exact(1.0).quotient(&exact(0.0), 9), None);
+        assert_eq!(exact(-7.0).quotient(&exact(2.0), 0), Some(exact(-3.0)));
     }
 }

@@ -14,6 +14,10 @@
 //! | [`pareto`] | the choices that nothing beats |
 //! | [`deviation`], [`statistics`] | largest and RMS error; medians and quartiles |
 //! | [`exact`], [`random`] | ground truth without rounding; inputs that repeat |
+//! | [`line_precision`] | study: the pixels of a segment |
+//! | [`triangle_subpixel`] | study: triangles that share edges, snapped |
+//! | [`clip_segment`] | study: a segment against a window |
+//! | [`clip_polygon`] | study: a polygon against a window |
 //! | [`planar_precision`] | study: the shadow of a point on a plane |
 //!
 //! # Adding a study
@@ -23,7 +27,7 @@
 //! ```
 //! use std::rc::Rc;
 //! use ombra_math::work::{Count, Counter, Work};
-//! use ombra_trade::deviation::Deviation;
+//! use ombra_trade::deviation::{Deviation, Measure};
 //! use ombra_trade::run::run;
 //! use ombra_trade::study::{Case, Effort, Question, Study, Sweep};
 //!
@@ -47,7 +51,7 @@
 //!     id: "tenths",
 //!     summary: "n tenths, added or multiplied",
 //!     unit: "sum",
-//!     error: "error of the sum",
+//!     errors: &[Measure::Largest("error of the sum")],
 //!     sweeps: |_effort| {
 //!         let question = |n: u32| {
 //!             let (inputs, knob) = (Rc::new(n), f64::from(n));
@@ -74,9 +78,12 @@
 
 pub mod advice;
 mod charts;
+pub mod clip_polygon;
+pub mod clip_segment;
 pub mod deviation;
 pub mod error;
 pub mod exact;
+pub mod line_precision;
 pub mod pareto;
 pub mod planar_precision;
 pub mod random;
@@ -84,6 +91,7 @@ pub mod report;
 pub mod run;
 pub mod statistics;
 pub mod study;
+pub mod triangle_subpixel;
 
 use error::TradeError;
 use study::Study;
@@ -91,7 +99,13 @@ use study::Study;
 /// All studies, in the order of the course.
 #[must_use]
 pub fn studies() -> &'static [Study] {
-    &[planar_precision::STUDY]
+    &[
+        line_precision::STUDY,
+        triangle_subpixel::STUDY,
+        clip_segment::STUDY,
+        clip_polygon::STUDY,
+        planar_precision::STUDY,
+    ]
 }
 
 /// The studies that `names` name, in the order of [`studies`]; all when there is none.
@@ -133,7 +147,9 @@ mod tests {
             .map(|error| error.to_string());
         assert_eq!(
             error.as_deref(),
-            Some("there is no study 'planar': there are planar-precision")
+            Some(
+                "there is no study 'planar': there are line-precision, triangle-subpixel, clip-segment, clip-polygon, planar-precision"
+            )
         );
     }
 

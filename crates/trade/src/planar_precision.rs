@@ -44,6 +44,7 @@ mod techniques;
 use std::rc::Rc;
 
 use crate::advice::power_of_ten;
+use crate::deviation::Measure;
 use crate::planar_precision::advice::advice;
 use crate::planar_precision::scene::Scene;
 use crate::planar_precision::techniques::{
@@ -56,7 +57,7 @@ pub const STUDY: Study = Study {
     id: "planar-precision",
     summary: "The shadow of a point on a plane: matrix, quotient, parameter, correctly rounded",
     unit: "vertex",
-    error: "relative error of the shadow",
+    errors: &[Measure::Largest("relative error of the shadow")],
     sweeps,
     advice,
 };
@@ -202,7 +203,9 @@ mod tests {
         });
         cases
             .zip(numbers)
-            .map(|((sweep, case), (work, dev))| (sweep, case.technique, case.setting, work, dev))
+            .map(|((sweep, case), (work, verdict))| {
+                (sweep, case.technique, case.setting, work, verdict.deviation)
+            })
             .collect()
     }
 
@@ -365,7 +368,7 @@ mod tests {
     }
 
     #[test]
-    fn a_report_has_one_sentence_and_two_charts_a_sweep() {
+    fn a_report_has_one_sentence_and_three_charts_a_sweep() {
         let report = crate::run::run(&STUDY, Effort::Quick, &mut |_| ()).unwrap();
         let said = &report.advice;
         assert!(
@@ -385,7 +388,7 @@ mod tests {
                     ..Style::default()
                 };
                 let charts = report.charts(&style).unwrap();
-                assert_eq!(charts.len(), 6);
+                assert_eq!(charts.len(), 9);
                 for chart in &charts {
                     for technique in report.sweeps[0].techniques() {
                         assert!(

@@ -9,7 +9,7 @@ use ombra_figures::{png, svg, write};
 use ombra_math::work::{Counter, Work};
 
 use crate::charts;
-use crate::deviation::Deviation;
+use crate::deviation::{Deviation, Measure};
 use crate::error::TradeError;
 use crate::statistics::Quartiles;
 
@@ -22,8 +22,8 @@ pub struct Report {
     pub summary: &'static str,
     /// One of the things worked on.
     pub unit: &'static str,
-    /// What the error is.
-    pub error: &'static str,
+    /// How errors are measured; the first is what the front goes by.
+    pub errors: &'static [Measure],
     /// Its sweeps.
     pub sweeps: Vec<Measured>,
     /// One sentence from the numbers.
@@ -61,8 +61,12 @@ pub struct Row {
     pub technique: &'static str,
     /// Its knob's setting.
     pub setting: f64,
-    /// Its errors: the same on every run.
+    /// Its error by the study's first measure: the same on every run.
+    pub error: f64,
+    /// Its errors.
     pub deviation: Deviation,
+    /// How many of its answers have faults of certain kinds.
+    pub faults: Vec<(&'static str, u64)>,
     /// Its counted work for all units: the same on every run.
     pub work: Work,
     /// Its time a unit, in nanoseconds.
@@ -136,6 +140,7 @@ impl Report {
             "max error",
             "rms error",
             "missing share",
+            "wrong share",
             "median ns a unit",
             "quartile distance ns",
             "baseline",
@@ -144,6 +149,8 @@ impl Report {
         ]
         .map(str::to_owned)
         .to_vec();
+        let faults = rows().next().map_or(&[][..], |row| &row.faults);
+        head.extend(faults.iter().map(|(kind, _)| (*kind).to_owned()));
         head.extend(counters.iter().map(|c| c.name().to_owned()));
         let mut csv = line(&head);
         for sweep in &self.sweeps {
@@ -160,6 +167,7 @@ impl Report {
                         format!("{:e}", row.deviation.max),
                         format!("{:e}", row.deviation.rms),
                         row.deviation.missing_share().to_string(),
+                        row.deviation.wrong_share().to_string(),
                         format!("{:.3}", row.nanoseconds.median),
                         format!("{:.3}", row.nanoseconds.spread()),
                         question
@@ -170,6 +178,7 @@ impl Report {
                         format!("{:.3}", row.ratio),
                         if row.on_front { "yes" } else { "no" }.to_owned(),
                     ];
+                    cells.extend(row.faults.iter().map(|(_, number)| number.to_string()));
                     cells.extend(counters.iter().map(|&c| row.work.get(c).to_string()));
                     csv.push_str(&line(&cells));
                 }
@@ -271,7 +280,9 @@ mod tests {
                 Row {
                     technique,
                     setting,
+                    error: Deviation::of(errors).worst(),
                     deviation: Deviation::of(errors),
+                    faults: vec![("gaps", 5)],
                     work,
                     nanoseconds: Quartiles::of(&[ratio, 2.0 * ratio]),
                     ratio,
@@ -292,7 +303,7 @@ mod tests {
             study: "made-up",
             summary: "Made up",
             unit: "vertex",
-            error: "error",
+            errors: &[Measure::Largest("error"), Measure::Share("wrong answers")],
             sweeps: vec![Measured {
                 name: "sweep",
                 knob: "knob",
@@ -309,7 +320,7 @@ mod tests {
         let lines: Vec<_> = csv.lines().collect();
         assert_eq!(lines.len(), 7);
         assert!(
-            lines[0].ends_with("ratio to baseline,on front,filter taps"),
+            lines[0].ends_with("ratio to baseline,on front,gaps,filter taps"),
             "{}",
             lines[0]
         );
@@ -318,11 +329,11 @@ mod tests {
         assert_eq!(
             lines[1],
             format!(
-                "made-up,sweep,plain,knob,2.5e-1,\"light, \"\"0.25\"\"\",2,2.5e-1,{rms:e},0,1.500,0.500,plain,1.000,yes,3"
+                "made-up,sweep,plain,knob,2.5e-1,\"light, \"\"0.25\"\"\",2,2.5e-1,{rms:e},0,0.5,1.500,0.500,plain,1.000,yes,5,3"
             )
         );
         assert!(
-            lines[3].contains(",gone,knob,2.5e-1,") && lines[3].contains(",1e-9,1e-9,0.5,"),
+            lines[3].contains(",gone,knob,2.5e-1,") && lines[3].contains(",1e-9,1e-9,0.5,1,"),
             "{}",
             lines[3]
         );
@@ -334,15 +345,54 @@ mod tests {
         let ids: Vec<_> = charts.iter().map(|chart| chart.id.as_str()).collect();
         assert_eq!(
             ids,
-            ["trade/made-up/sweep-error", "trade/made-up/sweep-cost"]
+            ["error", "share", "time", "cost"].map(|kind| format!("trade/made-up/sweep-{kind}"))
         );
-        for chart in &charts {
-            let has = |text: &str| chart.labels.iter().any(|label| label.text == text);
-            assert!(has("plain") && has("exact") && !has("gone"), "{}", chart.id);
+        let has = |chart: &Drawing, text: &str| chart.labels.iter().any(|label| label.text == text);
+        let [error, share, time, cost] = charts.as_slice() else {
+            panic!("four charts");
+        };
+        for chart in [error, cost] {
+            assert!(has(chart, "plain") && has(chart, "exact") && !has(chart, "gone"));
             // An error of 0 is shown on a logarithmic axis, which says so.
-            assert!(has("largest error (0: lowest line)"), "{}", chart.id);
+            assert!(
+                has(chart, "largest error (0: lowest marks)"),
+                "{}",
+                chart.id
+            );
         }
-        assert!(charts[1].labels.iter().any(|label| label.text == "× 9.00"));
+        // Half of what is missing is wrong; all of it took its time.
+        for chart in [share, time] {
+            assert!(has(chart, "gone"), "{}", chart.id);
+        }
+        assert!(has(share, "share of wrong answers (0: lowest marks)"));
+        assert!(has(time, "time a vertex / ns"));
+        assert!(has(cost, "× 9.00"));
+    }
+
+    #[test]
+    fn curves_that_coincide_are_one_with_all_names() {
+        let mut report = report();
+        for question in &mut report.sweeps[0].questions {
+            let exact = question.rows[1].clone();
+            question.rows[2] = Row {
+                technique: "gone",
+                ..exact
+            };
+        }
+        let charts = report.charts(&Style::default()).unwrap();
+        let texts: Vec<_> = charts[0]
+            .labels
+            .iter()
+            .map(|label| label.text.as_str())
+            .collect();
+        assert!(
+            texts.contains(&"exact, gone") && texts.contains(&"plain"),
+            "{texts:?}"
+        );
+        assert!(
+            !texts.contains(&"exact") && !texts.contains(&"gone"),
+            "{texts:?}"
+        );
     }
 
     #[test]
@@ -377,7 +427,11 @@ mod tests {
                 "sweep-cost.png",
                 "sweep-cost.svg",
                 "sweep-error.png",
-                "sweep-error.svg"
+                "sweep-error.svg",
+                "sweep-share.png",
+                "sweep-share.svg",
+                "sweep-time.png",
+                "sweep-time.svg"
             ]
         );
         assert!(

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use ombra_math::work::Work;
 
-use crate::deviation::Deviation;
+use crate::deviation::{Measure, Verdict};
 use crate::error::TradeError;
 use crate::pareto;
 use crate::report::{Answered, Measured, Report, Row};
@@ -87,13 +87,13 @@ pub fn run(
     let times = time(&sweeps, effort, &mut |done| {
         tell(Stage::Times, cases + done, total)
     });
-    let measured = assemble(&sweeps, judged.into_iter().zip(times));
+    let measured = assemble(&sweeps, study.errors, judged.into_iter().zip(times));
     let advice = (study.advice)(&measured);
     Ok(Report {
         study: study.id,
         summary: study.summary,
         unit: study.unit,
-        error: study.error,
+        errors: study.errors,
         sweeps: measured,
         advice,
     })
@@ -104,7 +104,7 @@ pub(crate) fn judge(
     study: &'static str,
     sweeps: &[Sweep],
     done: &mut impl FnMut(usize),
-) -> Result<Vec<(Work, Deviation)>, TradeError> {
+) -> Result<Vec<(Work, Verdict)>, TradeError> {
     let mut judged = Vec::new();
     for case in cases(sweeps) {
         let answer = (case.judge)().ok_or(TradeError::Differs {
@@ -209,7 +209,8 @@ fn cases(sweeps: &[Sweep]) -> impl Iterator<Item = &Case> {
 /// Puts the numbers of all cases, which come in order, back into sweeps and questions.
 fn assemble(
     sweeps: &[Sweep],
-    numbers: impl IntoIterator<Item = ((Work, Deviation), Time)>,
+    errors: &[Measure],
+    numbers: impl IntoIterator<Item = ((Work, Verdict), Time)>,
 ) -> Vec<Measured> {
     let mut numbers = numbers.into_iter();
     let sweeps = sweeps.iter().map(|sweep| Measured {
@@ -222,20 +223,21 @@ fn assemble(
             .map(|question| {
                 let rows = question.cases.iter().zip(&mut numbers);
                 let mut rows: Vec<_> = rows
-                    .map(|(case, ((work, deviation), time))| Row {
+                    .map(|(case, ((work, verdict), time))| Row {
                         technique: case.technique,
                         setting: case.setting,
-                        deviation,
+                        error: errors
+                            .first()
+                            .map_or(f64::NAN, |measure| measure.of(&verdict.deviation)),
+                        deviation: verdict.deviation,
+                        faults: verdict.faults,
                         work,
                         nanoseconds: time.nanoseconds,
                         ratio: time.ratio,
                         on_front: false,
                     })
                     .collect();
-                let points: Vec<_> = rows
-                    .iter()
-                    .map(|row| (row.ratio, row.deviation.worst()))
-                    .collect();
+                let points: Vec<_> = rows.iter().map(|row| (row.ratio, row.error)).collect();
                 for (row, on_front) in rows.iter_mut().zip(pareto::front(&points)) {
                     row.on_front = on_front;
                 }
@@ -253,6 +255,7 @@ fn assemble(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::deviation::Deviation;
     use crate::study::Question;
     use ombra_math::work::{Count, Counter};
     use std::collections::BTreeSet;
@@ -318,7 +321,7 @@ mod tests {
         id: "sums",
         summary: "sums",
         unit: "sum",
-        error: "error",
+        errors: &[Measure::Largest("error")],
         sweeps,
         advice: |measured| format!("{} sweeps.", measured.len()),
     };

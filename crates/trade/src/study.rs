@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use ombra_math::work::Work;
 
-use crate::deviation::Deviation;
+use crate::deviation::{Measure, Verdict};
 use crate::report::Measured;
 
 /// How much time a run may take.
@@ -42,8 +42,8 @@ pub struct Study {
     pub summary: &'static str,
     /// One of the things worked on: `vertex`. Times are for one of them.
     pub unit: &'static str,
-    /// What the error is, for the axes of charts: `relative error`.
-    pub error: &'static str,
+    /// How the errors of a case become one number. The first is what the front and the advice go by; each has a chart.
+    pub errors: &'static [Measure],
     /// Makes inputs and cases, the same every time.
     pub sweeps: fn(Effort) -> Vec<Sweep>,
     /// One sentence from the numbers.
@@ -77,7 +77,7 @@ pub struct Case {
     pub(crate) technique: &'static str,
     pub(crate) setting: f64,
     pub(crate) answer: Box<dyn Fn()>,
-    pub(crate) judge: Box<dyn Fn() -> Option<(Work, Deviation)>>,
+    pub(crate) judge: Box<dyn Fn() -> Option<(Work, Verdict)>>,
 }
 
 impl Case {
@@ -85,18 +85,19 @@ impl Case {
     ///
     /// - `timed` answers the whole question and counts nothing (it passes `&mut ()`): the clock sees only this.
     /// - `counted` does the same with a counter, which adds up where the operations happen.
-    /// - `judge` compares answers with a truth that owes nothing to the technique.
+    /// - `judge` compares answers with a truth that owes nothing to the technique, and gives a
+    ///   [`Deviation`](crate::deviation::Deviation), or a [`Verdict`] where kinds of fault are told apart.
     ///
     /// `timed` and `counted` must give equal answers, and the run checks that they do; so the errors are those of the
     /// answers that were timed. What is to stay outside the clock belongs into `inputs`. An answer that is no number
     /// is better given as `None`: NaN is not equal to itself.
-    pub fn new<I: 'static, A: PartialEq + 'static>(
+    pub fn new<I: 'static, A: PartialEq + 'static, V: Into<Verdict> + 'static>(
         technique: &'static str,
         setting: f64,
         inputs: &Rc<I>,
         timed: fn(&I) -> A,
         counted: fn(&I, &mut Work) -> A,
-        judge: fn(&I, &A) -> Deviation,
+        judge: fn(&I, &A) -> V,
     ) -> Self {
         let (clocked, judged) = (Rc::clone(inputs), Rc::clone(inputs));
         Self {
@@ -109,7 +110,7 @@ impl Case {
             judge: Box::new(move || {
                 let mut work = Work::default();
                 let answers = counted(&judged, &mut work);
-                (timed(&judged) == answers).then(|| (work, judge(&judged, &answers)))
+                (timed(&judged) == answers).then(|| (work, judge(&judged, &answers).into()))
             }),
         }
     }

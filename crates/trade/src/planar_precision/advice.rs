@@ -82,7 +82,9 @@ mod tests {
             let row = |technique, ratio, error| Row {
                 technique,
                 setting: 10f64.powi(i as i32),
+                error,
                 deviation: Deviation::of([Some(error)]),
+                faults: vec![],
                 work: Work::default(),
                 nanoseconds: Quartiles::of(&[ratio]),
                 ratio,

@@ -1,0 +1,211 @@
+//! Study: the pixels of a segment, by product, by sum and by integers.
+//!
+//! # What is asked
+//!
+//! Segments of 10 to 10⁷ moves, with any slope, in all eight octants; the sweep is `length`. Short ones come many at a
+//! time, so that all slopes are there.
+//!
+//! # Error
+//!
+//! ```text
+//! e = |y − y*|        y* = ⌈i·dy/dx − ½⌉        in pixels, i moves from the start along the longer axis
+//! ```
+//!
+//! y* is the pixel nearest to the exact line, at a tie the one nearer the start: a quotient of integers, taken anew at
+//! each move. A pixel in another column is no answer to this column's question and counts as missing. Two charts: the
+//! largest e, and the share of pixels with e > 0.
+//!
+//! # Techniques
+//!
+//! [`analytic`](ombra_raster::analytic) (the baseline), [`DDA`](ombra_raster::dda) in f64 and f32 and
+//! [`Bresenham`](ombra_raster::bresenham), as `ombra-raster` has them: one pixel after another. Each goes into a checksum
+//! that depends on the order and costs two additions, since storing ten million pixels would cost more than
+//! finding them. Who judges draws the segment once more and compares pixels with the truth and their checksum
+//! with the one that was timed.
+
+mod advice;
+mod segments;
+
+use std::rc::Rc;
+
+use ombra_raster::{analytic, bresenham, dda};
+
+use crate::deviation::Measure;
+use crate::line_precision::advice::advice;
+use crate::line_precision::segments::Segments;
+use crate::study::{Case, Effort, Question, Study, Sweep};
+
+/// The study.
+pub const STUDY: Study = Study {
+    id: "line-precision",
+    summary: "The pixels of a segment: analytic, DDA, Bresenham",
+    unit: "pixel",
+    errors: &[
+        Measure::Largest("distance from the right pixel, in pixels"),
+        Measure::Share("wrong pixels"),
+    ],
+    sweeps,
+    advice,
+};
+
+fn sweeps(effort: Effort) -> Vec<Sweep> {
+    let questions = [10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000].map(|length| {
+        // About as many pixels at each length, up to where two slopes are the least to ask.
+        let number = (effort.choose(100_000, 1_000_000) / length).clamp(2, 1000);
+        question(length, &Rc::new(Segments::new(length, number)))
+    });
+    vec![Sweep {
+        name: "length",
+        knob: "moves from end to end",
+        questions: questions.into(),
+        charted: 5,
+    }]
+}
+
+fn question(length: u32, segments: &Rc<Segments>) -> Question {
+    let k = f64::from(length);
+    Question {
+        inputs: format!("{} segments of {length} moves", segments.ends.len()),
+        units: segments.pixels(),
+        cases: vec![
+            Case::new(
+                "analytic",
+                k,
+                segments,
+                |s| s.draw(analytic::segment),
+                |s, work| s.draw_with(|a, b, sink| sink.all(analytic::segment_counted(a, b, work))),
+                |s, drawn| s.deviation(drawn, analytic::segment),
+            ),
+            Case::new(
+                "DDA f64",
+                k,
+                segments,
+                |s| s.draw(dda::segment),
+                |s, work| s.draw_with(|a, b, sink| sink.all(dda::segment_counted(a, b, work))),
+                |s, drawn| s.deviation(drawn, dda::segment),
+            ),
+            Case::new(
+                "DDA f32",
+                k,
+                segments,
+                |s| s.draw(dda::segment_f32),
+                |s, work| s.draw_with(|a, b, sink| sink.all(dda::segment_f32_counted(a, b, work))),
+                |s, drawn| s.deviation(drawn, dda::segment_f32),
+            ),
+            Case::new(
+                "Bresenham",
+                k,
+                segments,
+                |s| s.draw(bresenham::segment),
+                |s, work| {
+                    s.draw_with(|a, b, sink| sink.all(bresenham::segment_counted(a, b, work)))
+                },
+                |s, drawn| s.deviation(drawn, bresenham::segment),
+            ),
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::deviation::Deviation;
+    use crate::run::judge;
+    use ombra_math::work::Work;
+
+    /// Errors and counts of a quick run, without times: technique, length, segments, …
+    fn judged() -> Vec<(&'static str, f64, usize, Work, Deviation)> {
+        let sweeps = sweeps(Effort::Quick);
+        let numbers = judge(STUDY.id, &sweeps, &mut |_| ()).unwrap();
+        let cases = sweeps.iter().flat_map(|s| {
+            s.questions
+                .iter()
+                .flat_map(|q| q.cases.iter().map(move |c| (q.units, c)))
+        });
+        cases
+            .zip(numbers)
+            .map(|((units, case), (work, verdict))| {
+                (case.technique, case.setting, units, work, verdict.deviation)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn what_is_right_how_long_and_at_what_work() {
+        let rows = judged();
+        assert_eq!(rows.len(), 7 * 4);
+        for &(technique, length, pixels, work, deviation) in &rows {
+            let context = format!("{technique} {length}: {deviation:?}, {work}");
+            assert_eq!(
+                (deviation.asked, deviation.missing),
+                (pixels, 0),
+                "{context}"
+            );
+            let pixels = pixels as u64;
+            let segments = pixels / (length as u64 + 1);
+            let rounded = if technique == "Bresenham" { 0 } else { pixels };
+            assert_eq!(work.roundings, rounded, "{context}");
+            match technique {
+                "Bresenham" => {
+                    assert_eq!(deviation.wrong, 0, "{context}");
+                    // Integers: an addition a move, no product, no quotient.
+                    assert_eq!(work.additions, pixels - segments, "{context}");
+                    assert_eq!(work.multiplications + work.divisions, 0);
+                }
+                "analytic" => {
+                    // 12 dx² < 2⁵³ up to 27 million moves: the rounded y is on the right side of every boundary.
+                    assert_eq!(deviation.wrong, 0, "{context}");
+                    assert_eq!(work.multiplications, pixels, "{context}");
+                }
+                "DDA f64" => {
+                    // 2 dx³ < 2⁵³ up to 165 000 moves.
+                    assert!(deviation.wrong == 0 || length > 165_000.0, "{context}");
+                    // One sum too many is no more than dx² u = 10¹⁴ · 2⁻⁵³ away: the next pixel at most.
+                    assert!(deviation.max <= 1.0, "{context}");
+                    assert_eq!(work.multiplications, 0, "{context}");
+                }
+                _ => {
+                    // (0, 0)→(299, 231) is the shortest that goes wrong.
+                    assert!(deviation.wrong == 0 || length > 298.0, "{context}");
+                    assert_eq!(work.multiplications, 0, "{context}");
+                }
+            }
+        }
+        let f32_at = |k| {
+            let row = rows.iter().find(|row| row.0 == "DDA f32" && row.1 == k);
+            row.map(|row| (row.4.max, row.4.wrong_share())).unwrap()
+        };
+        // u = 2⁻²⁴: the errors of 10⁴ sums reach 10⁸ u = 6 pixels if all go one way, those of 10⁷ millions.
+        assert!(f32_at(1e3).1 > 0.0 && f32_at(1e3).0 == 1.0);
+        assert!(
+            f32_at(1e7).0 > 1e4 && f32_at(1e7).1 > 0.9,
+            "{:?}",
+            f32_at(1e7)
+        );
+    }
+
+    #[test]
+    fn the_study_says_where_floating_point_ends() {
+        let said = crate::run::run(&STUDY, Effort::Quick, &mut |_| ()).unwrap();
+        assert!(
+            said.advice
+                .starts_with("For segments of up to 10⁷ moves use "),
+            "{}",
+            said.advice
+        );
+        assert!(
+            said.advice.contains("DDA f32 has wrong pixels from 10"),
+            "{}",
+            said.advice
+        );
+        assert!(
+            said.advice.ends_with('.') && !said.advice.contains(". "),
+            "{}",
+            said.advice
+        );
+        let charts = said
+            .charts(&ombra_figures::style::Style::default())
+            .unwrap();
+        assert_eq!(charts.len(), 4);
+    }
+}
