@@ -96,8 +96,7 @@ where
         },
     ];
     Race::new(name, work, items, "px", picture)
-        // No decisions, all else alike. Faster it cannot be told to go, but where rows crowd in few sets of the cache,
-        // stores that come more slowly go faster: the share of this limit can exceed 1.
+        // No decisions, and yet no bound: runs are written faster than one by one, and places have to be read.
         .limit("stores at known places", |p: &mut Picture<T>| {
             for &place in &places {
                 if let Some(pixel) = p.pixels.get_mut(place as usize) {
