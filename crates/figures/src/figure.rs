@@ -85,11 +85,22 @@ impl Figure {
 
 /// All figures, by lecture in the order of the course.
 pub fn figures() -> &'static [Figure] {
-    use crate::{clip, math, shadows};
+    use crate::{clip, math, raster, shadows};
     &[
         math::PLANE,
         math::SPHERICAL,
         math::FRUSTUM,
+        raster::CONTINUOUS_TO_DISCRETE,
+        raster::SEGMENT_SLOPES,
+        raster::DDA_ROUNDING,
+        raster::BRESENHAM_CHOICE,
+        raster::BRESENHAM_INCREMENTS,
+        raster::RECTANGLE,
+        raster::BRESENHAM_TRACE,
+        raster::POLYGON_KINDS,
+        raster::SCANLINE,
+        raster::TRIANGLE_SHARED_EDGE,
+        raster::SLIVER,
         clip::POINT_WINDOW,
         clip::SEGMENT_CASES,
         clip::OUTCODES,

@@ -74,6 +74,92 @@ pub enum Key {
     FrustumBefore,
     /// `math/frustum`: the second picture.
     FrustumAfter,
+    /// `raster/continuous-to-discrete` in lists.
+    ContinuousToDiscreteSummary,
+    /// `raster/continuous-to-discrete` below the figure.
+    ContinuousToDiscreteCaption,
+    /// `raster/continuous-to-discrete`: the first picture.
+    Continuous,
+    /// `raster/continuous-to-discrete`: the second picture.
+    Discrete,
+    /// `raster/segment-slopes` in lists.
+    SegmentSlopesSummary,
+    /// `raster/segment-slopes` below the figure.
+    SegmentSlopesCaption,
+    /// `raster/segment-slopes`: the first picture.
+    SlopeColumns,
+    /// `raster/segment-slopes`: the second picture.
+    SlopeRows,
+    /// `raster/dda-rounding` in lists.
+    DdaRoundingSummary,
+    /// `raster/dda-rounding` below the figure.
+    DdaRoundingCaption,
+    /// One pixel.
+    Pixel,
+    /// Pixels after their number, five or more or none.
+    PixelsOf,
+    /// `raster/bresenham-choice` in lists.
+    BresenhamChoiceSummary,
+    /// `raster/bresenham-choice` below the figure.
+    BresenhamChoiceCaption,
+    /// `raster/bresenham-increments` in lists.
+    BresenhamIncrementsSummary,
+    /// `raster/bresenham-increments` below the figure.
+    BresenhamIncrementsCaption,
+    /// After a choice: before its name.
+    After,
+    /// `raster/bresenham-trace` in lists.
+    BresenhamTraceSummary,
+    /// `raster/bresenham-trace` below the figure.
+    BresenhamTraceCaption,
+    /// `raster/rectangle` in lists.
+    RectangleSummary,
+    /// `raster/rectangle` below the figure.
+    RectangleCaption,
+    /// `raster/rectangle`: the first picture.
+    RectangleOutline,
+    /// `raster/rectangle`: the second picture.
+    RectangleFilled,
+    /// `raster/polygon-kinds` in lists.
+    PolygonKindsSummary,
+    /// `raster/polygon-kinds` below the figure.
+    PolygonKindsCaption,
+    /// The rule of odd winding numbers.
+    EvenOdd,
+    /// The rule of winding numbers that are not 0.
+    NonZero,
+    /// `raster/polygon-kinds`: the first kind.
+    KindConvex,
+    /// `raster/polygon-kinds`: the second kind.
+    KindConcave,
+    /// `raster/polygon-kinds`: the third kind.
+    KindCrossed,
+    /// `raster/polygon-kinds`: the fourth kind.
+    KindSeveral,
+    /// `raster/scanline` in lists.
+    ScanlineSummary,
+    /// `raster/scanline` below the figure.
+    ScanlineCaption,
+    /// Heading of the edge table.
+    ScanEdge,
+    /// Heading of the edge table: where an edge begins and ends.
+    ScanRows,
+    /// `raster/triangle-shared-edge` in lists.
+    SharedEdgeSummary,
+    /// `raster/triangle-shared-edge` below the figure.
+    SharedEdgeCaption,
+    /// `raster/triangle-shared-edge`: the first picture.
+    SharedTopLeft,
+    /// `raster/triangle-shared-edge`: the second picture.
+    SharedClosed,
+    /// `raster/triangle-shared-edge`: the third picture.
+    SharedOpen,
+    /// `raster/sliver` in lists.
+    SliverSummary,
+    /// `raster/sliver` below the figure.
+    SliverCaption,
+    /// Before an area.
+    Area,
     /// `clip/point-window` in lists.
     PointWindowSummary,
     /// `clip/point-window` below the figure.
@@ -152,6 +238,49 @@ impl Key {
         Key::MathFrustumCaption,
         Key::FrustumBefore,
         Key::FrustumAfter,
+        Key::ContinuousToDiscreteSummary,
+        Key::ContinuousToDiscreteCaption,
+        Key::Continuous,
+        Key::Discrete,
+        Key::SegmentSlopesSummary,
+        Key::SegmentSlopesCaption,
+        Key::SlopeColumns,
+        Key::SlopeRows,
+        Key::DdaRoundingSummary,
+        Key::DdaRoundingCaption,
+        Key::Pixel,
+        Key::PixelsOf,
+        Key::BresenhamChoiceSummary,
+        Key::BresenhamChoiceCaption,
+        Key::BresenhamIncrementsSummary,
+        Key::BresenhamIncrementsCaption,
+        Key::After,
+        Key::BresenhamTraceSummary,
+        Key::BresenhamTraceCaption,
+        Key::RectangleSummary,
+        Key::RectangleCaption,
+        Key::RectangleOutline,
+        Key::RectangleFilled,
+        Key::PolygonKindsSummary,
+        Key::PolygonKindsCaption,
+        Key::EvenOdd,
+        Key::NonZero,
+        Key::KindConvex,
+        Key::KindConcave,
+        Key::KindCrossed,
+        Key::KindSeveral,
+        Key::ScanlineSummary,
+        Key::ScanlineCaption,
+        Key::ScanEdge,
+        Key::ScanRows,
+        Key::SharedEdgeSummary,
+        Key::SharedEdgeCaption,
+        Key::SharedTopLeft,
+        Key::SharedClosed,
+        Key::SharedOpen,
+        Key::SliverSummary,
+        Key::SliverCaption,
+        Key::Area,
         Key::PointWindowSummary,
         Key::PointWindowCaption,
         Key::SegmentCasesSummary,
@@ -454,6 +583,375 @@ impl Key {
             (Key::FrustumAfter, It) => "Dopo la matrice e la divisione per\u{a0}*w*",
             (Key::FrustumAfter, Cs) => "Po násobení maticí a dělení\u{a0}*w*",
             (Key::FrustumAfter, Hr) => "Nakon matrice i dijeljenja s\u{a0}*w*",
+
+            (Key::ContinuousToDiscreteSummary, En) => {
+                "A segment and a polygon, and the pixels that stand for them"
+            }
+            (Key::ContinuousToDiscreteSummary, It) => {
+                "Un segmento e un poligono, e i pixel che li rappresentano"
+            }
+            (Key::ContinuousToDiscreteSummary, Cs) => {
+                "Úsečka a polygon a pixely, které je zastupují"
+            }
+            (Key::ContinuousToDiscreteSummary, Hr) => {
+                "Dužina i poligon te pikseli koji ih predstavljaju"
+            }
+
+            (Key::ContinuousToDiscreteCaption, En) => {
+                "On the left points of the plane, on the right pixels: samples at whole places, of no size of their own."
+            }
+            (Key::ContinuousToDiscreteCaption, It) => {
+                "A sinistra punti del piano, a destra pixel: campioni in posizioni intere, senza dimensione propria."
+            }
+            (Key::ContinuousToDiscreteCaption, Cs) => {
+                "Vlevo body roviny, vpravo pixely: vzorky v celočíselných místech, bez vlastní velikosti."
+            }
+            (Key::ContinuousToDiscreteCaption, Hr) => {
+                "Lijevo točke ravnine, desno pikseli: uzorci na cjelobrojnim mjestima, bez vlastite veličine."
+            }
+
+            (Key::Continuous, En) => "continuous",
+            (Key::Continuous, It) => "continuo",
+            (Key::Continuous, Cs) => "spojité",
+            (Key::Continuous, Hr) => "kontinuirano",
+
+            (Key::Discrete, En) => "discrete: pixels",
+            (Key::Discrete, It) => "discreto: pixel",
+            (Key::Discrete, Cs) => "diskrétní: pixely",
+            (Key::Discrete, Hr) => "diskretno: pikseli",
+
+            (Key::SegmentSlopesSummary, En) => {
+                "Gentle segments have a pixel a column, steep ones a pixel a row"
+            }
+            (Key::SegmentSlopesSummary, It) => {
+                "Un pixel per colonna nei segmenti poco inclinati, uno per riga in quelli ripidi"
+            }
+            (Key::SegmentSlopesSummary, Cs) => {
+                "Pozvolné úsečky mají pixel v každém sloupci, strmé v každém řádku"
+            }
+            (Key::SegmentSlopesSummary, Hr) => {
+                "Blage dužine imaju piksel u svakom stupcu, strme u svakom retku"
+            }
+
+            (Key::SegmentSlopesCaption, En) => {
+                "One step along the longer axis, one pixel: no gaps and no doubles."
+            }
+            (Key::SegmentSlopesCaption, It) => {
+                "Un passo lungo l'asse maggiore, un pixel: niente buchi né doppioni."
+            }
+            (Key::SegmentSlopesCaption, Cs) => {
+                "Jeden krok podél delší osy, jeden pixel: žádné mezery ani dvojice."
+            }
+            (Key::SegmentSlopesCaption, Hr) => {
+                "Jedan korak uzduž dulje osi, jedan piksel: bez rupa i bez dvostrukih."
+            }
+
+            (Key::SlopeColumns, En) => "\\|*m*\\|\u{a0}≤\u{a0}1: a pixel a column",
+            (Key::SlopeColumns, It) => "\\|*m*\\|\u{a0}≤\u{a0}1: un pixel per colonna",
+            (Key::SlopeColumns, Cs) => "\\|*m*\\|\u{a0}≤\u{a0}1: pixel v každém sloupci",
+            (Key::SlopeColumns, Hr) => "\\|*m*\\|\u{a0}≤\u{a0}1: piksel u svakom stupcu",
+
+            (Key::SlopeRows, En) => "\\|*m*\\|\u{a0}>\u{a0}1: a pixel a row",
+            (Key::SlopeRows, It) => "\\|*m*\\|\u{a0}>\u{a0}1: un pixel per riga",
+            (Key::SlopeRows, Cs) => "\\|*m*\\|\u{a0}>\u{a0}1: pixel v každém řádku",
+            (Key::SlopeRows, Hr) => "\\|*m*\\|\u{a0}>\u{a0}1: piksel u svakom retku",
+
+            (Key::DdaRoundingSummary, En) => {
+                "DDA: the points of the line and the pixels they are rounded to"
+            }
+            (Key::DdaRoundingSummary, It) => {
+                "DDA: i punti della retta e i pixel a cui si arrotondano"
+            }
+            (Key::DdaRoundingSummary, Cs) => "DDA: body přímky a pixely, na které se zaokrouhlí",
+            (Key::DdaRoundingSummary, Hr) => "DDA: točke pravca i pikseli na koje se zaokružuju",
+
+            (Key::DdaRoundingCaption, En) => {
+                "*y*_{i+1} = *y*_i + *m* with *m* = 3/8. The nearest pixel is lit; the tie 3/2 goes to the lower one."
+            }
+            (Key::DdaRoundingCaption, It) => {
+                "*y*_{i+1} = *y*_i + *m* con *m* = 3/8. Si accende il pixel più vicino; la parità 3/2 va al più basso."
+            }
+            (Key::DdaRoundingCaption, Cs) => {
+                "*y*_{i+1} = *y*_i + *m*, *m* = 3/8. Rozsvítí se nejbližší pixel; shoda 3/2 patří nižšímu."
+            }
+            (Key::DdaRoundingCaption, Hr) => {
+                "*y*_{i+1} = *y*_i + *m*, *m* = 3/8. Pali se najbliži piksel; jednakost 3/2 ide nižem."
+            }
+
+            (Key::Pixel, En) => "pixel",
+            (Key::Pixel, It) => "pixel",
+            (Key::Pixel, Cs) => "pixel",
+            (Key::Pixel, Hr) => "piksel",
+
+            (Key::PixelsOf, En) => "pixels",
+            (Key::PixelsOf, It) => "pixel",
+            (Key::PixelsOf, Cs) => "pixelů",
+            (Key::PixelsOf, Hr) => "piksela",
+
+            (Key::BresenhamChoiceSummary, En) => {
+                "Bresenham: E or NE, by the side of the midpoint on which the line passes"
+            }
+            (Key::BresenhamChoiceSummary, It) => {
+                "Bresenham: E o NE, secondo il lato del punto di mezzo da cui passa la retta"
+            }
+            (Key::BresenhamChoiceSummary, Cs) => {
+                "Bresenham: E nebo NE podle toho, kde přímka míjí prostřední bod"
+            }
+            (Key::BresenhamChoiceSummary, Hr) => {
+                "Bresenham: E ili NE, prema tome s koje strane polovišta prolazi pravac"
+            }
+
+            (Key::BresenhamChoiceCaption, En) => {
+                "*Q* below *M*: E is nearer. *Q* above *M*: NE is nearer. For *d* = 0 both are equally near, and E is taken."
+            }
+            (Key::BresenhamChoiceCaption, It) => {
+                "*Q* sotto *M*: è più vicino E. *Q* sopra *M*: è più vicino NE. Con *d* = 0 è indifferente, e si prende E."
+            }
+            (Key::BresenhamChoiceCaption, Cs) => {
+                "*Q* pod *M*: blíž je E. *Q* nad *M*: blíž je NE. Při *d* = 0 jsou stejně daleko a bere se E."
+            }
+            (Key::BresenhamChoiceCaption, Hr) => {
+                "*Q* ispod *M*: bliži je E. *Q* iznad *M*: bliži je NE. Za *d* = 0 jednako su daleko i uzima se E."
+            }
+
+            (Key::BresenhamIncrementsSummary, En) => {
+                "Bresenham: the next midpoint after E and after NE"
+            }
+            (Key::BresenhamIncrementsSummary, It) => {
+                "Bresenham: il punto di mezzo successivo dopo E e dopo NE"
+            }
+            (Key::BresenhamIncrementsSummary, Cs) => "Bresenham: další prostřední bod po E a po NE",
+            (Key::BresenhamIncrementsSummary, Hr) => {
+                "Bresenham: sljedeće polovište nakon E i nakon NE"
+            }
+
+            (Key::BresenhamIncrementsCaption, En) => {
+                "The decision at the next midpoint *M*′ is an addition away: *dy* after E, *dy* − *dx* after NE."
+            }
+            (Key::BresenhamIncrementsCaption, It) => {
+                "La decisione nel punto di mezzo successivo *M*′ costa un'addizione: *dy* dopo E, *dy* − *dx* dopo NE."
+            }
+            (Key::BresenhamIncrementsCaption, Cs) => {
+                "K rozhodnutí v dalším prostředním bodě *M*′ stačí sčítání: *dy* po E, *dy* − *dx* po NE."
+            }
+            (Key::BresenhamIncrementsCaption, Hr) => {
+                "Do odluke u sljedećem polovištu *M*′ dovoljno je zbrajanje: *dy* nakon E, *dy* − *dx* nakon NE."
+            }
+
+            (Key::After, En) => "after",
+            (Key::After, It) => "dopo",
+            (Key::After, Cs) => "po",
+            (Key::After, Hr) => "nakon",
+
+            (Key::BresenhamTraceSummary, En) => {
+                "Bresenham: a whole segment with the decision of every move"
+            }
+            (Key::BresenhamTraceSummary, It) => {
+                "Bresenham: un intero segmento con la decisione di ogni passo"
+            }
+            (Key::BresenhamTraceSummary, Cs) => {
+                "Bresenham: celá úsečka s rozhodnutím v každém kroku"
+            }
+            (Key::BresenhamTraceSummary, Hr) => {
+                "Bresenham: cijela dužina s odlukom u svakom koraku"
+            }
+
+            (Key::BresenhamTraceCaption, En) => {
+                "2*F* is an integer: 2*dy* − *dx* = −2 at the start, + 6 after E, − 10 after NE. Above 0 the next pixel is NE, else E."
+            }
+            (Key::BresenhamTraceCaption, It) => {
+                "2*F* è intero: 2*dy* − *dx* = −2 all'inizio, + 6 dopo E, − 10 dopo NE. Se è positivo si va a NE, altrimenti a E."
+            }
+            (Key::BresenhamTraceCaption, Cs) => {
+                "2*F* je celé číslo: na začátku 2*dy* − *dx* = −2, + 6 po E, − 10 po NE. Je-li kladné, následuje NE, jinak E."
+            }
+            (Key::BresenhamTraceCaption, Hr) => {
+                "2*F* je cijeli broj: na početku 2*dy* − *dx* = −2, + 6 nakon E, − 10 nakon NE. Ako je pozitivan, slijedi NE, inače E."
+            }
+
+            (Key::RectangleSummary, En) => "A rectangle along the axes, its outline and filled",
+            (Key::RectangleSummary, It) => "Un rettangolo parallelo agli assi, vuoto e pieno",
+            (Key::RectangleSummary, Cs) => "Obdélník rovnoběžný s osami, obrys a výplň",
+            (Key::RectangleSummary, Hr) => "Pravokutnik usporedan s osima, obris i ispuna",
+
+            (Key::RectangleCaption, En) => {
+                "Both corners are pixels of the rectangle: columns 2 to 6 are five columns, not four."
+            }
+            (Key::RectangleCaption, It) => {
+                "I due vertici sono pixel del rettangolo: le colonne da 2 a 6 sono cinque, non quattro."
+            }
+            (Key::RectangleCaption, Cs) => {
+                "Oba rohy jsou pixely obdélníku: sloupce 2 až 6 jsou pět sloupců, ne čtyři."
+            }
+            (Key::RectangleCaption, Hr) => {
+                "Oba su kuta pikseli pravokutnika: od stupca 2 do 6 ima ih pet, a ne četiri."
+            }
+
+            (Key::RectangleOutline, En) => "outline",
+            (Key::RectangleOutline, It) => "vuoto",
+            (Key::RectangleOutline, Cs) => "obrys",
+            (Key::RectangleOutline, Hr) => "obris",
+
+            (Key::RectangleFilled, En) => "filled",
+            (Key::RectangleFilled, It) => "pieno",
+            (Key::RectangleFilled, Cs) => "výplň",
+            (Key::RectangleFilled, Hr) => "ispuna",
+
+            (Key::PolygonKindsSummary, En) => {
+                "Four kinds of polygon under the even-odd and the non-zero rule"
+            }
+            (Key::PolygonKindsSummary, It) => {
+                "Quattro tipi di poligono con la regola pari-dispari e con quella non-zero"
+            }
+            (Key::PolygonKindsSummary, Cs) => {
+                "Čtyři druhy polygonů podle pravidla sudá-lichá a nenulového pravidla"
+            }
+            (Key::PolygonKindsSummary, Hr) => {
+                "Četiri vrste poligona po pravilu par-nepar i po pravilu različito od nule"
+            }
+
+            (Key::PolygonKindsCaption, En) => {
+                "Inside is where the contours wind round an odd number of times, or not 0 times. Arrows say the direction."
+            }
+            (Key::PolygonKindsCaption, It) => {
+                "È interno ciò attorno a cui i contorni girano un numero dispari di volte, o non zero volte. Le frecce dicono il verso."
+            }
+            (Key::PolygonKindsCaption, Cs) => {
+                "Uvnitř je to, co obrysy obíhají lichým počtem otočení, nebo nenulovým. Šipky udávají směr."
+            }
+            (Key::PolygonKindsCaption, Hr) => {
+                "Unutra je ono što konture obilaze neparan broj puta, ili broj puta različit od nule. Strelice pokazuju smjer."
+            }
+
+            (Key::EvenOdd, En) => "even-odd",
+            (Key::EvenOdd, It) => "pari-dispari",
+            (Key::EvenOdd, Cs) => "sudá-lichá",
+            (Key::EvenOdd, Hr) => "par-nepar",
+
+            (Key::NonZero, En) => "non-zero",
+            (Key::NonZero, It) => "non-zero",
+            (Key::NonZero, Cs) => "nenulová",
+            (Key::NonZero, Hr) => "različito od nule",
+
+            (Key::KindConvex, En) => "convex",
+            (Key::KindConvex, It) => "convesso",
+            (Key::KindConvex, Cs) => "konvexní",
+            (Key::KindConvex, Hr) => "konveksan",
+
+            (Key::KindConcave, En) => "concave",
+            (Key::KindConcave, It) => "concavo",
+            (Key::KindConcave, Cs) => "nekonvexní",
+            (Key::KindConcave, Hr) => "konkavan",
+
+            (Key::KindCrossed, En) => "self-crossing",
+            (Key::KindCrossed, It) => "intrecciato",
+            (Key::KindCrossed, Cs) => "překřížený",
+            (Key::KindCrossed, Hr) => "samosijekući",
+
+            (Key::KindSeveral, En) => "several contours",
+            (Key::KindSeveral, It) => "a contorni multipli",
+            (Key::KindSeveral, Cs) => "více obrysů",
+            (Key::KindSeveral, Hr) => "više kontura",
+
+            (Key::ScanlineSummary, En) => {
+                "One scan line: edge table, active edges and the spans between them"
+            }
+            (Key::ScanlineSummary, It) => {
+                "Una scan-line: tabella dei lati, lati attivi e gli intervalli tra loro"
+            }
+            (Key::ScanlineSummary, Cs) => {
+                "Jeden řádek: tabulka hran, aktivní hrany a úseky mezi nimi"
+            }
+            (Key::ScanlineSummary, Hr) => {
+                "Jedan redak: tablica bridova, aktivni bridovi i rasponi među njima"
+            }
+
+            (Key::ScanlineCaption, En) => {
+                "The active edges cross the row at the places *X*. Between the first and the second, the third and the fourth, centres are inside."
+            }
+            (Key::ScanlineCaption, It) => {
+                "I lati attivi incrociano la riga nei punti *X*. Tra il primo e il secondo, tra il terzo e il quarto, i centri sono interni."
+            }
+            (Key::ScanlineCaption, Cs) => {
+                "Aktivní hrany protínají řádek v místech *X*. Mezi prvním a druhým, třetím a čtvrtým leží středy uvnitř."
+            }
+            (Key::ScanlineCaption, Hr) => {
+                "Aktivni bridovi sijeku redak na mjestima *X*. Između prvog i drugog, trećeg i četvrtog središta su unutra."
+            }
+
+            (Key::ScanEdge, En) => "edge",
+            (Key::ScanEdge, It) => "lato",
+            (Key::ScanEdge, Cs) => "hrana",
+            (Key::ScanEdge, Hr) => "brid",
+
+            (Key::ScanRows, En) => "rows",
+            (Key::ScanRows, It) => "righe",
+            (Key::ScanRows, Cs) => "řádky",
+            (Key::ScanRows, Hr) => "redci",
+
+            (Key::SharedEdgeSummary, En) => {
+                "Two triangles with a common edge: one owner a pixel, and what comes without the rule"
+            }
+            (Key::SharedEdgeSummary, It) => {
+                "Due triangoli con un lato comune: un solo proprietario per pixel, e che cosa succede senza regola"
+            }
+            (Key::SharedEdgeSummary, Cs) => {
+                "Dva trojúhelníky se společnou hranou: každý pixel má jednoho vlastníka, a co nastane bez pravidla"
+            }
+            (Key::SharedEdgeSummary, Hr) => {
+                "Dva trokuta sa zajedničkim bridom: svaki piksel ima jednog vlasnika, i što biva bez pravila"
+            }
+
+            (Key::SharedEdgeCaption, En) => {
+                "The edge runs through six centres. A centre on an edge belongs to the triangle for which the edge is a top or a left one."
+            }
+            (Key::SharedEdgeCaption, It) => {
+                "Il lato passa per sei centri. Un centro su un lato appartiene al triangolo per cui quel lato è in alto o a sinistra."
+            }
+            (Key::SharedEdgeCaption, Cs) => {
+                "Hrana prochází šesti středy. Střed na hraně patří trojúhelníku, pro který je hrana horní nebo levá."
+            }
+            (Key::SharedEdgeCaption, Hr) => {
+                "Brid prolazi kroz šest središta. Središte na bridu pripada trokutu kojemu je taj brid gornji ili lijevi."
+            }
+
+            (Key::SharedTopLeft, En) => "top-left rule: one owner each",
+            (Key::SharedTopLeft, It) => "alto-sinistra: un solo proprietario",
+            (Key::SharedTopLeft, Cs) => "vlevo-nahoře: jeden vlastník",
+            (Key::SharedTopLeft, Hr) => "gore-lijevo: jedan vlasnik",
+
+            (Key::SharedClosed, En) => "edges count as inside: drawn twice",
+            (Key::SharedClosed, It) => "lati compresi: disegnati due volte",
+            (Key::SharedClosed, Cs) => "hrany patří dovnitř: kresleno dvakrát",
+            (Key::SharedClosed, Hr) => "bridovi unutra: crtano dvaput",
+
+            (Key::SharedOpen, En) => "edges count as outside: gaps",
+            (Key::SharedOpen, It) => "lati esclusi: buchi",
+            (Key::SharedOpen, Cs) => "hrany patří ven: mezery",
+            (Key::SharedOpen, Hr) => "bridovi izvan: rupe",
+
+            (Key::SliverSummary, En) => "A long thin triangle: pixels found against area",
+            (Key::SliverSummary, It) => "Un triangolo stretto e lungo: pixel trovati e area",
+            (Key::SliverSummary, Cs) => "Dlouhý úzký trojúhelník: nalezené pixely a obsah",
+            (Key::SliverSummary, Hr) => "Dug i uzak trokut: nađeni pikseli i površina",
+
+            (Key::SliverCaption, En) => {
+                "The same triangle three times, each time an eighth of a pixel lower. Only centres count, so its pixels depend on where it lies."
+            }
+            (Key::SliverCaption, It) => {
+                "Lo stesso triangolo tre volte, ogni volta un ottavo di pixel più in basso. Contano solo i centri: i pixel dipendono da dove sta."
+            }
+            (Key::SliverCaption, Cs) => {
+                "Týž trojúhelník třikrát, pokaždé o osminu pixelu níž. Počítají se jen středy, a tak pixely závisejí na jeho poloze."
+            }
+            (Key::SliverCaption, Hr) => {
+                "Isti trokut tri puta, svaki put za osminu piksela niže. Broje se samo središta, pa pikseli ovise o tome gdje leži."
+            }
+
+            (Key::Area, En) => "area",
+            (Key::Area, It) => "area",
+            (Key::Area, Cs) => "obsah",
+            (Key::Area, Hr) => "površina",
 
             (Key::PointWindowSummary, En) => "A point and the window: four inequalities",
             (Key::PointWindowSummary, It) => {

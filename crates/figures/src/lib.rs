@@ -44,6 +44,7 @@
 //! | [`space`], [`patch`] | the house perspective, axes, meshes; the receiving plane |
 //! | [`section`] | the plane of a section: x to the right, y up |
 //! | [`panels`], [`table`] | steps from left to right, short lists in columns |
+//! | [`pixels`] | pixels as cells with their centres |
 //! | [`number`] | exact fractions |
 //! | [`text`], [`font`] | markup, layout, the embedded typeface |
 //! | [`place`] | where labels go |
@@ -73,8 +74,10 @@ pub mod object;
 pub mod panels;
 pub mod patch;
 pub mod path;
+pub mod pixels;
 pub mod place;
 pub mod png;
+mod raster;
 pub mod section;
 mod shadows;
 pub mod sheet;

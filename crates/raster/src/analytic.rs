@@ -6,6 +6,8 @@
 //!
 //! All three count x and y from the start `a`, x along the longer axis, so that 0 ≤ m ≤ 1: a pixel a column for
 //! |dx| ≥ |dy|, a pixel a row otherwise. Moving a segment therefore moves its pixels and nothing else.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/segment-slopes.svg"))]
 
 use core::iter::FusedIterator;
 use core::ops::RangeInclusive;

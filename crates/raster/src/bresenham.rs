@@ -3,6 +3,8 @@
 //! From each pixel there are two ways on: E, along the longer axis, and NE, along both. Which one is nearer to the
 //! line is the sign of F at the midpoint between them, and F at the next midpoint is an addition away. A segment
 //! in another octant is turned and mirrored into the slide's, 0 ≤ m ≤ 1, and its moves back out.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/bresenham-trace.svg"))]
 //!
 //! # Reversing
 //!

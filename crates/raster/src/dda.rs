@@ -2,6 +2,8 @@
 //!
 //! Each y comes from the one before, y + m. That saves the multiplication and lets every rounding error stay in
 //! all later sums: the same segment in `f64` and in `f32` shows how far that goes.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/dda-rounding.svg"))]
 
 use ombra_math::glam::IVec2;
 use ombra_math::work::{Count, Counter};

@@ -3,6 +3,8 @@
 //! A pixel is a point, its centre (i + ½, j + ½); it is filled when its centre is inside. Along one row of
 //! centres the inside begins and ends where edges cross the row: the edge table holds the edges by their first
 //! row, the active edges are those that cross the present one, and between their crossings lie the spans.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/scanline.svg"))]
 //!
 //! # Centres on an edge
 //!
@@ -153,9 +155,11 @@ pub fn outline(vertices: &[IVec2]) -> impl Iterator<Item = IVec2> {
 ///
 /// Exact for all finite vertices, however far away; centres on an edge as the [module](self) says. A contour is
 /// closed from its last vertex to its first; it may be concave, cross itself and others, repeat vertices. The
-/// spans of a row do not touch, so each is as long as it can be. Lazy: memory for the edges, none for pixels or
-/// rows; time for the edges, their crossings inside the picture and the spans, none for empty rows. Equal to
-/// [`fill_plain`].
+/// spans of a row do not touch, so each is as long as it can be. Equal to [`fill_plain`].
+///
+/// Lazy: memory for the edges, and where many are active, a table of 64 rows of at most 8192 columns; none that
+/// grows with the picture. Time for the edges, their crossings inside the picture and the spans; none for
+/// empty rows.
 ///
 /// # Pitfalls
 ///

@@ -1,4 +1,6 @@
 //! A rectangle with sides along the axes: its outline, four segments; its inside, a double loop.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/rectangle.svg"))]
 //!
 //! # A pixel is a sample
 //!

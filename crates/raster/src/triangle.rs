@@ -3,6 +3,8 @@
 //! Three edge functions say on which side of each edge a pixel's centre lies. A centre exactly on an edge goes to
 //! the triangle for which that edge is a top or a left one, so that of two triangles that share the edge, one
 //! and only one owns it: no gap, no pixel drawn twice.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/triangle-shared-edge.svg"))]
 
 use core::cmp::Ordering;
 use core::fmt;
@@ -307,7 +309,7 @@ pub fn cover_by(
 /// # Properties
 ///
 /// Vertices that were equal stay equal, so triangles that share an edge still do, and leave no gap; which pixels
-/// they own changes. Beyond 52 bits, and for coordinates that have no finer digits, nothing moves.
+/// they own changes. A coordinate that has no finer digits stays where it is.
 ///
 /// # Examples
 ///
@@ -324,14 +326,15 @@ pub fn cover_by(
 /// In no deck; graphics hardware, mostly with 4 or 8 bits.
 #[must_use]
 pub fn snap(vertex: DVec2, bits: u32) -> DVec2 {
-    let scale = libm::scalbn(1.0, bits.min(1023) as i32);
+    // 2⁻¹⁰⁷⁴ is the finest digit there is.
+    let bits = bits.min(1074) as i32;
     let snap = |x: f64| {
-        // From 2⁵² on a double is an integer: nothing to round, and nothing to overflow.
-        let scaled = x * scale;
+        // From 2⁵² on a double is an integer: nothing to round.
+        let scaled = libm::scalbn(x, bits);
         if scaled.abs() < 1.0 / f64::EPSILON {
             let floor = scaled.floor();
             let up = if scaled - floor >= 0.5 { 1.0 } else { 0.0 };
-            (floor + up) / scale
+            libm::scalbn(floor + up, -bits)
         } else {
             x
         }

@@ -128,7 +128,7 @@ struct Columns<'a, C> {
 }
 
 impl<'a, C: Count> Columns<'a, C> {
-    /// Within a band, rounding to fixed point adds at most 64 · 2⁻²⁵ to the error of a stepped crossing.
+    /// Within a band, fixed point adds at most 65 · 2⁻²⁴ to the error of a stepped crossing.
     #[inline]
     fn new(edge: &'a Edge, steps: &Steps, rows: Range<u32>, width: u32, work: &'a mut C) -> Self {
         let unit = f64::from(1 << FRACTION);

@@ -1,14 +1,8 @@
 use super::*;
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use ombra_math::work::Work;
-use proptest::num::f64::ANY;
-use proptest::prelude::*;
 use std::iter::once;
 
 const RULES: [FillRule; 2] = [FillRule::EvenOdd, FillRule::NonZero];
-
-type Contours = Vec<Vec<DVec2>>;
 
 fn contour(vertices: &[(f64, f64)]) -> Vec<DVec2> {
     vertices.iter().copied().map(DVec2::from).collect()
@@ -34,55 +28,6 @@ fn grid(contours: &[Vec<DVec2>], rule: FillRule, width: u32, height: u32) -> Vec
     let plain: Vec<_> = fill_plain(contours, rule, width, height).unwrap().collect();
     assert_eq!(fast, plain);
     picture(fast, width, height)
-}
-
-/// 2¹⁶⁰⁰ x, an integer.
-fn integer(x: f64) -> BigInt {
-    let x: BigRational = BigRational::from_float(x).unwrap() * (BigInt::from(1) << 60usize);
-    assert!(x.is_integer());
-    x.to_integer() << 1540usize
-}
-
-/// The winding number of a centre, really shifted: by 2⁻⁴⁰⁰ to the right and 2⁻⁸⁰⁰ down. For coordinates that are
-/// multiples of 2⁻⁶⁰ below 2⁸⁰ no edge passes between the centre and there, so nothing here can be a tie.
-fn winding_oracle(contours: &[Vec<[BigInt; 2]>], column: u32, row: u32) -> i64 {
-    let shift = |bits: usize| BigInt::from(1) << (1600 - bits);
-    let x = integer(f64::from(column) + 0.5) + shift(400);
-    let y = integer(f64::from(row) + 0.5) + shift(800);
-    let mut winding = 0;
-    for vertices in contours {
-        for (i, [ax, ay]) in vertices.iter().enumerate() {
-            let [bx, by] = &vertices[(i + 1) % vertices.len()];
-            assert!(*ay != y && *by != y);
-            if (*ay < y) == (*by < y) {
-                continue;
-            }
-            let side = (bx - ax) * (&y - ay) - (by - ay) * (&x - ax);
-            assert!(side != BigInt::from(0));
-            let down = by > ay;
-            if (side < BigInt::from(0)) == down {
-                winding += if down { 1 } else { -1 };
-            }
-        }
-    }
-    winding
-}
-
-fn oracle(contours: &[Vec<DVec2>], rule: FillRule, width: u32, height: u32) -> Vec<String> {
-    let contours: Vec<Vec<_>> = contours
-        .iter()
-        .map(|contour| contour.iter().map(|v| v.to_array().map(integer)).collect())
-        .collect();
-    let cell = |x, y| match rule {
-        FillRule::EvenOdd => winding_oracle(&contours, x, y) % 2 != 0,
-        FillRule::NonZero => winding_oracle(&contours, x, y) != 0,
-    };
-    let row = |y| {
-        (0..width)
-            .map(|x| if cell(x, y) { '#' } else { '.' })
-            .collect()
-    };
-    (0..height).map(row).collect()
 }
 
 // The lecture's kinds, as pictures worked out by hand.
@@ -215,141 +160,6 @@ fn edge_table_and_active_edges() {
             .eq(once(3..6))
     );
     assert!(active_edges(&table, 6, 10).is_empty());
-}
-
-/// A coordinate about a picture of 8 pixels, a multiple of 2⁻⁶⁰ below 2⁸⁰: on centres, within 10⁻¹² of them, between
-/// them, and far away.
-fn coordinate() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        3 => (-2i32..11).prop_map(|k| f64::from(k) + 0.5),
-        3 => (-2i32..11, -4i32..5).prop_map(|(k, m)| f64::from(k) + 0.5 + f64::from(m) * libm::scalbn(1.0, -43)),
-        2 => (-8i32..44).prop_map(|k| f64::from(k) / 4.0),
-        2 => (-3.0..11.0f64).prop_map(|x| (x * libm::scalbn(1.0, 45)).floor() * libm::scalbn(1.0, -45)),
-        1 => (-9i32..10).prop_map(|k| f64::from(k) * 1e9),
-        1 => (-9i32..10).prop_map(|k| f64::from(k) * libm::scalbn(1.0, 70)),
-    ]
-}
-
-fn contours(vertices: Range<usize>) -> impl Strategy<Value = Contours> {
-    let vertex = [coordinate(), coordinate()].prop_map(DVec2::from_array);
-    prop::collection::vec(prop::collection::vec(vertex, vertices), 0..3)
-}
-
-/// Any finite double, or one at a scale where slopes through the picture occur.
-fn finite() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        1 => ANY.prop_filter("finite", |x| x.is_finite()),
-        2 => coordinate(),
-        1 => (-9i32..10).prop_map(|k| f64::from(k) * 1e300),
-        1 => (-9i32..10).prop_map(|k| f64::from(k) * 1e-300),
-        1 => (-9i32..10, 1u64..1 << 40).prop_map(|(k, m)| f64::from(k) * libm::scalbn(1.0, 33) + m as f64),
-    ]
-}
-
-fn any_contours(vertices: Range<usize>) -> impl Strategy<Value = Contours> {
-    let vertex = [finite(), finite()].prop_map(DVec2::from_array);
-    prop::collection::vec(prop::collection::vec(vertex, vertices), 0..3)
-}
-
-/// Spans in order, not empty, in the picture, and none touching the next.
-fn are_in_form(spans: &[Span], width: u32, height: u32) -> bool {
-    let each = spans
-        .iter()
-        .all(|span| !span.is_empty() && span.x.end <= width && span.y < height);
-    each && spans
-        .windows(2)
-        .all(|pair| (pair[0].y, pair[0].x.end) < (pair[1].y, pair[1].x.start))
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
-
-    #[test]
-    fn agrees_with_a_real_shift(contours in contours(0..9)) {
-        for rule in RULES {
-            let found = grid(&contours, rule, 8, 8);
-            prop_assert_eq!(found, oracle(&contours, rule, 8, 8), "{:?}", rule);
-        }
-    }
-
-    #[test]
-    fn forms_agree_at_every_scale(contours in any_contours(0..9), width in 0..20u32, height in 0..20u32) {
-        for rule in RULES {
-            let fast = spans(&contours, rule, width, height);
-            let plain: Vec<_> = fill_plain(&contours, rule, width, height).unwrap().collect();
-            prop_assert!(are_in_form(&fast, width, height));
-            prop_assert_eq!(fast, plain);
-        }
-    }
-
-    /// Neither the vertex a contour begins with, nor the order of contours, nor all directions turned count.
-    #[test]
-    fn only_the_contours_count(contours in contours(1..9), turn in 0..9usize) {
-        let mut other = contours.clone();
-        other.reverse();
-        for contour in &mut other {
-            let turn = turn % contour.len();
-            contour.rotate_left(turn);
-            contour.reverse();
-        }
-        for rule in RULES {
-            prop_assert_eq!(spans(&contours, rule, 8, 8), spans(&other, rule, 8, 8));
-        }
-    }
-
-    /// A picture further right and down is the same, moved: the corner of the largest picture.
-    #[test]
-    fn moves_with_the_picture(vertices in prop::collection::vec([0..40i32, 0..40], 3..8)) {
-        let at = |offset: f64| -> Contours {
-            vec![vertices.iter().map(|&[x, y]| DVec2::new(f64::from(x), f64::from(y)) / 4.0 + offset).collect()]
-        };
-        const FAR: u32 = u32::MAX - 10;
-        for rule in RULES {
-            let near = spans(&at(0.0), rule, 10, 10);
-            let far = spans(&at(f64::from(FAR)), rule, u32::MAX, u32::MAX);
-            let moved: Vec<_> = far
-                .iter()
-                .map(|span| Span { y: span.y - FAR, x: span.x.start - FAR..span.x.end - FAR })
-                .collect();
-            prop_assert_eq!(near, moved);
-        }
-    }
-
-    #[test]
-    fn never_panics(vertices in prop::collection::vec([ANY, ANY], 0..12), width in any::<u32>(), height in 0..3000u32) {
-        let contours = [vertices.into_iter().map(DVec2::from_array).collect::<Vec<_>>()];
-        for rule in RULES {
-            match fill(&contours, rule, width, height) {
-                Ok(spans) => {
-                    let spans: Vec<_> = spans.take(20).collect();
-                    prop_assert!(are_in_form(&spans, width, height));
-                }
-                Err(PolygonError::NotFinite { contour, vertex, .. }) => {
-                    prop_assert!(!contours[contour][vertex].is_finite());
-                    prop_assert!(contours[contour][..vertex].iter().all(|v| v.is_finite()));
-                }
-            }
-        }
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
-
-    /// So many edges that a band is marked, in a narrow picture; in a wide one crossings are sorted.
-    #[test]
-    fn forms_agree_with_many_edges(contours in any_contours(20..60), scale in prop_oneof![Just(1.0), Just(9.7)],
-                                   wide in any::<bool>()) {
-        let contours: Contours = contours.iter().map(|c| c.iter().map(|&v| v * scale).collect()).collect();
-        prop_assume!(contours.iter().flatten().all(|v| v.is_finite()));
-        let width = if wide { marks::WIDEST + 1 } else { 83 };
-        for rule in RULES {
-            let fast = spans(&contours, rule, width, 90);
-            let plain: Vec<_> = fill_plain(&contours, rule, width, 90).unwrap().collect();
-            prop_assert!(are_in_form(&fast, width, 90));
-            prop_assert_eq!(fast, plain);
-        }
-    }
 }
 
 #[test]
@@ -534,67 +344,5 @@ fn a_bad_vertex_is_named() {
     }
 }
 
-mod outlines {
-    use super::*;
-
-    fn pixels(vertices: &[(i32, i32)]) -> Vec<(i32, i32)> {
-        let vertices: Vec<_> = vertices.iter().copied().map(IVec2::from).collect();
-        outline(&vertices).map(|p| (p.x, p.y)).collect()
-    }
-
-    #[test]
-    fn a_square_has_each_pixel_once() {
-        let found = pixels(&[(1, 1), (4, 1), (4, 3), (1, 3)]);
-        let round = [
-            (1, 1),
-            (2, 1),
-            (3, 1),
-            (4, 1),
-            (4, 2),
-            (4, 3),
-            (3, 3),
-            (2, 3),
-            (1, 3),
-            (1, 2),
-        ];
-        assert_eq!(found, round);
-    }
-
-    #[test]
-    fn degenerate() {
-        assert_eq!(pixels(&[]), []);
-        assert_eq!(pixels(&[(5, -2)]), [(5, -2)]);
-        assert_eq!(pixels(&[(5, -2); 4]), [(5, -2)]);
-        // There and back, both ends once.
-        assert_eq!(pixels(&[(0, 0), (2, 0)]), [(0, 0), (1, 0), (2, 0), (1, 0)]);
-        assert_eq!(
-            pixels(&[(0, 0), (0, 0), (2, 0), (2, 0)]),
-            [(0, 0), (1, 0), (2, 0), (1, 0)]
-        );
-        let (min, max) = (i32::MIN, i32::MAX);
-        let found: Vec<_> = outline(&[IVec2::new(min, min), IVec2::new(max, max)])
-            .take(2)
-            .collect();
-        assert_eq!(found, [IVec2::splat(min), IVec2::splat(min + 1)]);
-    }
-
-    proptest! {
-        /// A closed chain: each pixel beside the next, the last beside the first, as many as the edges' steps.
-        #[test]
-        fn is_a_closed_chain(vertices in prop::collection::vec([-20..20i32, -20..20], 1..8)) {
-            let vertices: Vec<_> = vertices.into_iter().map(IVec2::from_array).collect();
-            let chain: Vec<_> = outline(&vertices).collect();
-            let steps: i32 = (0..vertices.len())
-                .map(|i| (vertices[(i + 1) % vertices.len()] - vertices[i]).abs().max_element())
-                .sum();
-            prop_assert_eq!(chain.len(), steps.max(1) as usize);
-            prop_assert_eq!(chain[0], vertices[0]);
-            if chain.len() > 1 {
-                for (i, pixel) in chain.iter().enumerate() {
-                    prop_assert_eq!((*pixel - chain[(i + 1) % chain.len()]).abs().max_element(), 1);
-                }
-            }
-            prop_assert!(vertices.iter().all(|vertex| chain.contains(vertex)));
-        }
-    }
-}
+mod outline;
+mod properties;

@@ -60,7 +60,7 @@ fn without_the_rule_pixels_are_drawn_twice_or_never() {
 
 #[test]
 fn slivers() {
-    // Half a pixel high and 20 long, of area 5: three centres, the rest passes between the rows.
+    // 20 long, half a pixel high at its end, of area 5: 13 pixels.
     let sliver = triangle([(0.0, 0.25), (20.0, 0.5), (20.0, 1.0)]);
     // The lower side, y = 0.25 + 0.0375 x, reaches the centres of row 0 at x = 6⅔; the upper one at x = 20.
     assert_eq!(
@@ -255,6 +255,19 @@ fn degenerate() {
             x: M - 2..M - 1
         }]
     );
+}
+
+#[test]
+fn snapping_ties_and_extremes() {
+    let at = |x: f64, bits| snap(DVec2::splat(x), bits).x;
+    // A tie goes up; 0.49…9 + ½ would round to 1.
+    assert_eq!([at(0.5, 0), at(-0.5, 0), at(1.5, 0)], [1.0, 0.0, 2.0]);
+    assert_eq!([at(0.375, 2), at(-0.375, 2)], [0.5, -0.25]);
+    assert_eq!(at(0.5_f64.next_down(), 0), 0.0);
+    for x in [0.1, 1e300, -f64::MAX, 5e-324] {
+        assert_eq!(at(x, u32::MAX), x);
+    }
+    assert!(at(f64::NAN, 4).is_nan() && at(f64::INFINITY, 4) == f64::INFINITY);
 }
 
 #[test]

@@ -1,0 +1,113 @@
+//! From a pixel to E or to NE: on which side of the midpoint the line passes.
+
+use core::cmp::Ordering;
+
+use ombra_math::glam::{DVec2, IVec2};
+use ombra_raster::bresenham::{Choice, Step, trace};
+
+use super::SEGMENT;
+use crate::colour::Role;
+use crate::drawing::{NORMAL, Pen, THIN};
+use crate::error::FigureError;
+use crate::figure::{Figure, Takes};
+use crate::labels::Key;
+use crate::marks;
+use crate::number::exact;
+use crate::panels::panels;
+use crate::path::Rect;
+use crate::pixels::{Grid, Orientation};
+use crate::sheet::{Label, Sheet};
+use crate::text::LABEL;
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "raster/bresenham-choice",
+    takes: Takes {
+        light: false,
+        plane: false,
+        mesh: false,
+    },
+    summary: Key::BresenhamChoiceSummary,
+    caption: Key::BresenhamChoiceCaption,
+    drawn: |sheet, _| draw(sheet),
+};
+
+/// Pixels of [`SEGMENT`] from which the line passes well below the midpoint, and well above it.
+const COLUMNS: [usize; 2] = [2, 4];
+
+fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
+    let (a, b) = SEGMENT;
+    let steps = COLUMNS.map(|x| trace(a, b).nth(x)).into_iter().flatten();
+    let steps: Vec<Step> = steps.collect();
+    let lines: Vec<String> = steps.iter().map(line).collect();
+    let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
+    for (panel, step) in panels(sheet, &lines, 1.0)?.into_iter().zip(&steps) {
+        draw_choice(sheet, panel, step);
+    }
+    Ok(())
+}
+
+/// The decision in one line.
+fn line(step: &Step) -> String {
+    let sign = match step.decision.cmp(&0) {
+        Ordering::Less => "< 0",
+        Ordering::Equal => "= 0",
+        Ordering::Greater => "> 0",
+    };
+    let d = exact(step.decision as f64 / 2.0);
+    format!("*d* = *F*(*M*) = {d} {sign}: {}", step.choice)
+}
+
+fn draw_choice(sheet: &mut Sheet, panel: Rect, step: &Step) {
+    let p = step.pixel;
+    let [east, north_east] = [p + IVec2::X, p + IVec2::ONE];
+    let grid = Grid::fit(p, north_east, Orientation::Mathematical, panel);
+    let (chosen, rejected) = match step.choice {
+        Choice::E => (east, north_east),
+        Choice::NE => (north_east, east),
+    };
+    grid.draw_cells(sheet);
+    grid.fill(sheet, &[p, chosen], Role::Chosen.into());
+    sheet.stroke_unmarked(
+        grid.cells(&[rejected]),
+        Pen::new(Role::Rejected, NORMAL).dashed(),
+    );
+
+    // The line across the cells, and the column where it is decided.
+    let m = f64::from(SEGMENT.1.y) / f64::from(SEGMENT.1.x);
+    let on_line = |x: f64| DVec2::new(x, m * x);
+    let x = f64::from(p.x);
+    let next = x + 1.0;
+    sheet.line(
+        grid.centre(east),
+        grid.centre(north_east),
+        Pen::new(Role::Note, THIN).dashed(),
+    );
+    grid.line(sheet, on_line(x - 0.5), on_line(next + 0.5));
+
+    for (pixel, name, towards) in [
+        (p, "*P*", DVec2::X),
+        (east, "E", DVec2::ONE),
+        (north_east, "NE", DVec2::new(1.0, -1.0)),
+    ] {
+        let at = grid.centre(pixel);
+        if pixel == rejected {
+            marks::hollow_point(sheet, at, Role::Rejected);
+        } else {
+            marks::point(sheet, at, Role::Chosen);
+        }
+        sheet.label(large(at, name).towards(towards));
+    }
+    let midpoint = grid.at(DVec2::new(next, f64::from(p.y) + 0.5));
+    let q = grid.at(on_line(next));
+    marks::hollow_point(sheet, midpoint, Role::Undecided);
+    marks::point(sheet, q, Role::Text);
+    // M in the cell that is left out, Q above the line.
+    let free = DVec2::new(-1.0, (grid.centre(rejected) - midpoint).y.signum());
+    sheet.label(large(midpoint, "*M*").towards(free));
+    sheet.label(large(q, "*Q*").towards(DVec2::NEG_ONE));
+}
+
+/// A name in large letters: there is room.
+fn large(at: DVec2, name: &str) -> Label {
+    Label::new(at, name).size(1.25 * LABEL).beside()
+}

@@ -1,0 +1,98 @@
+//! The next midpoint after E and after NE, and what the decision gains on the way.
+
+use ombra_math::glam::{DVec2, IVec2};
+use ombra_raster::bresenham::{Choice, Step, trace};
+
+use super::SEGMENT;
+use crate::colour::Role;
+use crate::drawing::NORMAL;
+use crate::error::FigureError;
+use crate::figure::{Figure, Takes};
+use crate::labels::Key;
+use crate::marks;
+use crate::number::exact;
+use crate::panels::panels;
+use crate::path::Rect;
+use crate::pixels::{Grid, Orientation};
+use crate::sheet::{Label, Sheet};
+use crate::text::LABEL;
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "raster/bresenham-increments",
+    takes: Takes {
+        light: false,
+        plane: false,
+        mesh: false,
+    },
+    summary: Key::BresenhamIncrementsSummary,
+    caption: Key::BresenhamIncrementsCaption,
+    drawn: |sheet, _| draw(sheet),
+};
+
+/// The pixels of [`SEGMENT`] shown: one goes on to E, one to NE.
+const COLUMNS: [usize; 2] = [2, 1];
+
+fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
+    let (a, b) = SEGMENT;
+    let after = Key::After.text(sheet.style().language);
+    let pairs = COLUMNS.map(|x| Some((trace(a, b).nth(x)?, trace(a, b).nth(x + 1)?)));
+    let pairs: Vec<(Step, Step)> = pairs.into_iter().flatten().collect();
+    let lines: Vec<String> = pairs
+        .iter()
+        .map(|(step, next)| {
+            let [d, new] = [step, next].map(|step| exact(step.decision as f64 / 2.0));
+            let (dx, dy) = (b.x - a.x, b.y - a.y);
+            let added = match step.choice {
+                Choice::E => format!("+ {dy}"),
+                Choice::NE => format!("+ {dy} − {dx}"),
+            };
+            let sum = format!("*d* = {d} {added} = {new}").replace(' ', "\u{a0}");
+            format!("{after}\u{a0}{}: {sum}", step.choice)
+        })
+        .collect();
+    let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
+    for (panel, (step, next)) in panels(sheet, &lines, 1.0)?.into_iter().zip(&pairs) {
+        draw_increment(sheet, panel, step, next);
+    }
+    Ok(())
+}
+
+fn draw_increment(sheet: &mut Sheet, panel: Rect, step: &Step, next: &Step) {
+    let p = step.pixel;
+    let grid = Grid::fit(p, p + IVec2::splat(2), Orientation::Mathematical, panel);
+    grid.draw(sheet, &[(Role::Chosen.into(), &[p, next.pixel])]);
+    let m = f64::from(SEGMENT.1.y) / f64::from(SEGMENT.1.x);
+    let [from, to] = [-0.5, 2.5].map(|x| f64::from(p.x) + x);
+    grid.line(sheet, DVec2::new(from, m * from), DVec2::new(to, m * to));
+
+    for (pixel, name) in [(p, "*P*"), (next.pixel, step.choice.to_string().as_str())] {
+        marks::point(sheet, grid.centre(pixel), Role::Chosen);
+        let label = Label::new(grid.centre(pixel), name).towards(DVec2::Y);
+        sheet.label(label.size(1.25 * LABEL).beside());
+    }
+    let [old, new] = [step, next].map(|step| {
+        let p = step.pixel.as_dvec2();
+        grid.at(p + DVec2::new(1.0, 0.5))
+    });
+    let along = (new - old).normalize_or_zero();
+    let rim = 2.0 * marks::DOT;
+    marks::arrow(
+        sheet,
+        old + along * rim,
+        new - along * rim,
+        Role::Text,
+        NORMAL,
+    );
+    for (at, name, towards) in [(old, "*M*", -along), (new, "*M*′", along)] {
+        marks::hollow_point(sheet, at, Role::Undecided);
+        let label = Label::new(at, name).towards(towards);
+        sheet.label(label.size(1.25 * LABEL).beside());
+    }
+    // The line runs between the arrow to NE and what lies above it.
+    let (increment, share, towards) = match step.choice {
+        Choice::E => ("+ *dy*", 0.5, DVec2::NEG_Y),
+        Choice::NE => ("+ *dy* − *dx*", 0.25, DVec2::X),
+    };
+    let label = Label::new(old.lerp(new, share), increment).towards(towards);
+    sheet.label(label.size(1.25 * LABEL).beside());
+}

@@ -1,0 +1,59 @@
+//! A segment and a polygon, and the pixels that stand for them.
+
+use ombra_math::glam::{DVec2, IVec2};
+use ombra_raster::bresenham;
+use ombra_raster::polygon::{FillRule, fill};
+
+use super::pixels;
+use crate::colour::{Ink, Role};
+use crate::drawing::{NORMAL, Pen, THIN};
+use crate::error::FigureError;
+use crate::figure::{Figure, Takes};
+use crate::labels::Key;
+use crate::panels::panels;
+use crate::path::Path;
+use crate::pixels::{Grid, Orientation};
+use crate::sheet::Sheet;
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "raster/continuous-to-discrete",
+    takes: Takes {
+        light: false,
+        plane: false,
+        mesh: false,
+    },
+    summary: Key::ContinuousToDiscreteSummary,
+    caption: Key::ContinuousToDiscreteCaption,
+    drawn: |sheet, _| draw(sheet),
+};
+
+const SIZE: (u32, u32) = (16, 14);
+const SEGMENT: (IVec2, IVec2) = (IVec2::new(1, 12), IVec2::new(14, 7));
+const POLYGON: [(f64, f64); 5] = [(4.3, 0.8), (11.6, 1.7), (14.2, 5.3), (7.4, 8.2), (1.6, 6.1)];
+
+fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
+    let language = sheet.style().language;
+    let lines = [Key::Continuous, Key::Discrete].map(|key| key.text(language));
+    let polygon = POLYGON.map(DVec2::from);
+    let (width, height) = SIZE;
+    let mut on: Vec<IVec2> = bresenham::segment(SEGMENT.0, SEGMENT.1).collect();
+    if let Ok(spans) = fill(&[polygon.to_vec()], FillRule::EvenOdd, width, height) {
+        on.extend(pixels(spans));
+    }
+    let last = IVec2::new(width as i32 - 1, height as i32 - 1);
+    for (i, panel) in panels(sheet, &lines, 1.0)?.into_iter().enumerate() {
+        let grid = Grid::fit(IVec2::ZERO, last, Orientation::Picture, panel);
+        let outline = Path::polygon(&grid.contour(&polygon));
+        let [a, b] = [SEGMENT.0, SEGMENT.1].map(|end| grid.centre(end));
+        if i == 0 {
+            sheet.fill(outline.clone(), Ink::of(Role::Occluder).tint(0.25));
+            sheet.stroke(outline, Pen::new(Role::Occluder, NORMAL));
+            sheet.line(a, b, Pen::new(Role::Occluder, NORMAL));
+        } else {
+            grid.draw(sheet, &[(Role::Chosen.into(), &on)]);
+            grid.polygon(sheet, &polygon);
+            sheet.line(a, b, Pen::new(Role::Text, THIN));
+        }
+    }
+    Ok(())
+}
