@@ -27,7 +27,7 @@
 //! - `Sutherland–Hodgman` (the baseline): [`clip_polygon`](ombra_clip::sutherland_hodgman::clip_polygon), in one pass. Its
 //!   work is that of the plain form, which gives the same answer.
 //! - `in four passes`: that plain form.
-//! - `pieces`: [`pieces::clip_polygon`](ombra_clip::pieces::clip_polygon). The others leave what falls apart joined by
+//! - `pieces`: [`pieces::clip_polygon`]. The others leave what falls apart joined by
 //!   edges along the border, which have no area: no error shows that, but an outline drawn does.
 //! - `textbook f64`, `textbook f32`: four passes with crossings a + t (b − a), t rounded, of what the last pass has left.
 //!   In f32 the vertices are stored in f32 too.

@@ -17,7 +17,7 @@
 //!
 //! # Techniques
 //!
-//! [`analytic`](ombra_raster::analytic) (the baseline), [`DDA`](ombra_raster::dda) in f64 and f32 and
+//! [`analytic`] (the baseline), [`DDA`](ombra_raster::dda) in f64 and f32 and
 //! [`Bresenham`](ombra_raster::bresenham), as `ombra-raster` has them: one pixel after another. Each goes into a checksum
 //! that depends on the order and costs two additions, since storing ten million pixels would cost more than
 //! finding them. Who judges draws the segment once more and compares pixels with the truth and their checksum

@@ -47,10 +47,10 @@ pub fn advice(sweeps: &[Measured]) -> String {
             let share = percent(last.deviation.missing_share());
             format!("decides wrongly about {share} of the segments")
         } else {
-            format!("errs by {}", power_of_ten(last.error))
+            format!("by {}", power_of_ten(last.error))
         };
         format!(
-            "{name} takes {} times its time, errs by {} of the window with ends {} window sizes away and {error} at {}",
+            "{name} takes {} times its time and errs by {} of the window for ends at {} of its sizes, {error} at {}",
             times_best(name),
             power_of_ten(near.error),
             power_of_ten(near.setting),
@@ -124,8 +124,8 @@ mod tests {
         ];
         assert_eq!(
             advice(&sweeps),
-            "For ends rounded once use quick; slow takes 2.0 times its time and textbook takes 0.4 times its time, \
-             errs by 10⁻¹⁵ of the window with ends 1 window sizes away and errs by 2·10⁻⁹ at 10⁶."
+            "For ends rounded once use quick; slow takes 2.0 times its time and textbook takes 0.4 times its time \
+             and errs by 10⁻¹⁵ of the window for ends at 1 of its sizes, by 2·10⁻⁹ at 10⁶."
         );
         assert_eq!(advice(&[]), "");
     }

@@ -41,7 +41,7 @@ pub fn advice(sweeps: &[Measured]) -> String {
     said + "."
 }
 
-/// `DDA f32 has wrong pixels from 10³ on (99 % of them at 10⁷, up to 10⁴ pixels off)`
+/// `DDA f32 has wrong pixels from 10³ on (99 % of them at 10⁷, up to 10⁴ beside the right one)`
 fn fault(sweep: &Measured, technique: &str) -> String {
     let is_wrong = |row: &&Row| row.error != 0.0;
     let from = sweep
@@ -52,7 +52,7 @@ fn fault(sweep: &Measured, technique: &str) -> String {
         return String::new();
     };
     format!(
-        "{technique} has wrong pixels from {} on ({} of them at {}, up to {} pixels off)",
+        "{technique} has wrong pixels from {} on ({} of them at {}, up to {} beside the right one)",
         power_of_ten(from),
         percent(last.deviation.wrong_share()),
         power_of_ten(last.setting),
@@ -109,7 +109,7 @@ mod tests {
                 ("quick", 0.5, zero)
             ])]),
             "For segments of up to 10³ moves use quick, the cheapest that is right in every pixel; \
-             slow is right too, in 4.0 times its time and sum has wrong pixels from 10³ on (50 % of them at 10³, up to 7 pixels off)."
+             slow is right too, in 4.0 times its time and sum has wrong pixels from 10³ on (50 % of them at 10³, up to 7 beside the right one)."
         );
         assert_eq!(
             advice(&[sweep(&[("only", 1.0, zero)])]),
@@ -118,7 +118,7 @@ mod tests {
         assert_eq!(
             advice(&[sweep(&[("sum", 1.0, late)])]),
             "No technique has every pixel of segments of up to 10³ moves right: \
-             sum has wrong pixels from 10³ on (50 % of them at 10³, up to 7 pixels off)."
+             sum has wrong pixels from 10³ on (50 % of them at 10³, up to 7 beside the right one)."
         );
         assert_eq!(advice(&[]), "");
     }

@@ -173,7 +173,9 @@ mod tests {
                 [1.0, 0.0, 3.0].map(Some)
             );
         }
+        // Pixels of other columns.
         assert_eq!(line.error(2, IVec2::new(3, 1)), None);
+        assert_eq!(line.error(2, IVec2::new(1, 1)), None);
     }
 
     #[test]

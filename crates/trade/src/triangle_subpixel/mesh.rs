@@ -120,7 +120,7 @@ impl Mesh {
         let errors = self.owners.iter().zip(pixels).map(|(&owner, drawn)| {
             match drawn? {
                 drawn if drawn == owner => return Some(0.0),
-                Owners::NOBODY => others += 1,
+                Owners::NOBODY => gaps += 1,
                 Owners::SEVERAL => overlaps += 1,
                 _ => others += 1,
             }
