@@ -5,11 +5,15 @@
 //! | [`dyadic`] | numbers m · 2ᵉ with m a whole number of any size: every double, every sum and product of doubles |
 //! | [`shadow`] | the planar shadow of one vertex as an exact fraction, its decision and its condition |
 //! | [`region`] | containment and blocking for shadow polygons, by exact signs |
+//! | [`pixel`] | the pixels of a segment and of a triangle, by definition |
+//! | [`clipping`] | what of a segment lies in a rectangle, to the nearest double; areas of polygons |
 //! | [`cases`] | random input spread over the whole range of exponents, a third of it next to a degenerate case |
 //! | [`topic_index`] | the README's table of topics, taken apart |
 
 pub mod cases;
+pub mod clipping;
 pub mod dyadic;
+pub mod pixel;
 pub mod region;
 pub mod shadow;
 pub mod topic_index;

@@ -5,12 +5,14 @@
 //! same sentence why they fail.
 #![allow(clippy::expect_used, reason = "a test that cannot go on fails")]
 
-use ombra_math::glam::{DMat4, DVec2, DVec3, DVec4, dvec3};
+use ombra_clip::{Segment, Window, cohen_sutherland};
+use ombra_math::glam::{DMat4, DVec2, DVec3, DVec4, IVec2, dvec3};
 use ombra_math::homogeneous::{point, project};
 use ombra_math::plane::Plane;
 use ombra_math::spherical::Spherical;
 use ombra_math::triangle::face_normal;
 use ombra_math::view::look_at;
+use ombra_raster::bresenham;
 use ombra_shadows::planar::{cast, ground_matrix_directional, ground_matrix_point, shadow_matrix};
 
 type Verdict = Result<(), String>;
@@ -328,6 +330,82 @@ fn e14_the_mean_of_vertex_normals() {
     proven(e14(made_unit), "no larger share", e14(face_normal));
 }
 
+/// E15. Grafica 3, «Algoritmo di Bresenham»: in integers it is 2F(M) that decides: start 2dy − dx, steps 2dy and
+/// 2dy − 2dx, for 0 ≤ m ≤ 1. The function gives y at x = 0, 1, …, dx.
+fn e15(rows: impl Fn(i32, i32) -> Vec<i32>) -> Verdict {
+    // An even dx and an odd one, both ends of 0 ≤ m ≤ 1.
+    for (dx, dy) in [(8, 3), (3, 1), (5, 3), (4, 0), (3, 3)] {
+        let rows = rows(dx, dy);
+        demand(rows.len() == dx as usize + 1, || {
+            format!(
+                "(0,0)→({dx},{dy}) has {} pixels instead of {}",
+                rows.len(),
+                dx + 1
+            )
+        })?;
+        for (x, &y) in (0..).zip(&rows) {
+            // |y − m x| ≤ ½, times 2dx.
+            demand(2 * (dx * y - dy * x).abs() <= dx, || {
+                format!(
+                    "(0,0)→({dx},{dy}): at x = {x} the line passes y = {}/{dx}, \
+                     more than half a pixel from {y}: the half of F(M) is lost",
+                    dy * x
+                )
+            })?;
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn e15_the_half_in_the_decision() {
+    // E for d < 0, NE for d > 0, and for d = 0 either, as the slide allows.
+    let by_the_slide = |start: fn(i32, i32) -> i32, tie_goes_up: bool| {
+        move |dx: i32, dy: i32| {
+            let (mut y, mut d) = (0, start(dx, dy));
+            let mut rows = vec![y];
+            for _ in 0..dx {
+                if d > 0 || (d == 0 && tie_goes_up) {
+                    y += 1;
+                    d += dy - dx;
+                } else {
+                    d += dy;
+                }
+                rows.push(y);
+            }
+            rows
+        }
+    };
+    let ours = || {
+        e15(|dx, dy| {
+            bresenham::segment(IVec2::ZERO, IVec2::new(dx, dy))
+                .map(|p| p.y)
+                .collect()
+        })
+    };
+    let lost = "the half of F(M) is lost";
+    // F(1, 1/2) in integers.
+    const HALF: i32 = 1 / 2;
+    let half_is_nothing: fn(i32, i32) -> i32 = |dx, dy| dy - dx * HALF;
+    // No start value on the slide: from 0.
+    let from_nothing: fn(i32, i32) -> i32 = |_, _| 0;
+    // dx/2 cut off to an integer: right for an even dx, and for an odd one a tie appears that is none.
+    let half_cut_off: fn(i32, i32) -> i32 = |dx, dy| dy - dx / 2;
+    // The start doubled and the steps not.
+    let only_start_doubled: fn(i32, i32) -> i32 = |dx, dy| 2 * dy - dx;
+    for start in [half_is_nothing, from_nothing, only_start_doubled] {
+        for tie_goes_up in [false, true] {
+            proven(e15(by_the_slide(start, tie_goes_up)), lost, ours());
+        }
+    }
+    proven(e15(by_the_slide(half_cut_off, true)), lost, ours());
+    // Start and steps doubled.
+    let doubled: Vec<i64> = bresenham::trace(IVec2::ZERO, IVec2::new(8, 3))
+        .map(|step| step.decision)
+        .collect();
+    assert_eq!(doubled, [-2, 4, -6, 0, 6, -4, 2, -8]);
+}
+
 /// E21. Olomouc, «Zdroj světla v bodě»: w = L_y − V_y is positive for a true shadow, so that clipping keeps it.
 fn e21(matrix: impl Fn(DVec3) -> DMat4) -> Verdict {
     let p = matrix(dvec3(0.0, 100.0, 100.0)) * point(dvec3(10.0, 20.0, 10.0));
@@ -359,6 +437,108 @@ fn e21_the_sign_of_w() {
     let proof = |ours: Verdict| proven(e21(by_the_slide), "w = -80 is negative", ours);
     proof(e21(|l| ground_matrix_point(l).unwrap()));
     proof(e21(|l| shadow_matrix(Plane::GROUND, point(l)).unwrap()));
+}
+
+type Clipped = Result<Option<Segment>, String>;
+
+/// E22. Grafica 3, «Algoritmo Cohen-Sutherland»: each iteration tests OR and AND.
+fn e22(clip: impl Fn(&Window, Segment) -> Clipped) -> Verdict {
+    let window = Window::new(DVec2::ZERO, DVec2::splat(10.0)).map_err(|e| e.to_string())?;
+    let across = Segment::new(DVec2::new(2.0, 14.0), DVec2::new(8.0, -4.0));
+    let inside = Segment::new(DVec2::new(10.0 / 3.0, 10.0), DVec2::new(20.0 / 3.0, 0.0));
+    let found = clip(&window, across)?;
+    // Two cuts of some roundings each.
+    let near = |p: DVec2, q: DVec2| close(p.x, q.x) && close(p.y, q.y);
+    let both = found.is_some_and(|s| near(s.a, inside.a) && near(s.b, inside.b));
+    demand(both, || {
+        format!("{across:?} gives {found:?} instead of {inside:?}")
+    })?;
+    let beside = Segment::new(DVec2::new(4.0, 14.0), DVec2::new(14.0, 8.0));
+    let found = clip(&window, beside)?;
+    demand(found.is_none(), || {
+        format!("{beside:?} passes the corner (10,10) outside, and {found:?} is left of it")
+    })
+}
+
+#[test]
+fn e22_and_in_each_iteration() {
+    // The slide's order: above, below, right, left.
+    let code = |w: &Window, p: DVec2| [p.y > w.max.y, p.y < w.min.y, p.x > w.max.x, p.x < w.min.x];
+    let written = |code: [bool; 4]| {
+        code.map(|bit| if bit { '1' } else { '0' })
+            .iter()
+            .collect::<String>()
+    };
+    let crossing = |w: &Window, s: Segment, bit: usize| {
+        let d = s.b - s.a;
+        let across = |y: f64| DVec2::new(s.a.x + (y - s.a.y) * d.x / d.y, y);
+        let upright = |x: f64| DVec2::new(x, s.a.y + (x - s.a.x) * d.y / d.x);
+        match bit {
+            0 => across(w.max.y),
+            1 => across(w.min.y),
+            2 => upright(w.max.x),
+            _ => upright(w.min.x),
+        }
+    };
+    let by_the_slide = |w: &Window, given: Segment| -> Clipped {
+        let mut s = given;
+        if (0..4).any(|bit| code(w, s.a)[bit] && code(w, s.b)[bit]) {
+            return Ok(None);
+        }
+        loop {
+            let (a, b) = (code(w, s.a), code(w, s.b));
+            if (0..4).all(|bit| !a[bit] && !b[bit]) {
+                return Ok(Some(s));
+            }
+            let Some(bit) = (0..4).find(|&bit| a[bit] != b[bit]) else {
+                return Err(format!(
+                    "cut to {} → {}, with codes {} and {}: not inside, and no bit differs",
+                    s.a,
+                    s.b,
+                    written(a),
+                    written(b)
+                ));
+            };
+            let p = crossing(w, s, bit);
+            if a[bit] { s.a = p } else { s.b = p }
+        }
+    };
+    let ours = || e22(|window, s| Ok(cohen_sutherland::clip_segment(window, s)));
+    proven(
+        e22(by_the_slide),
+        "codes 0010 and 0010: not inside, and no bit differs",
+        ours(),
+    );
+    // A loop that then cuts at whatever bit is set, with no AND either, keeps a part that is not there.
+    let whatever_bit = |w: &Window, given: Segment| -> Clipped {
+        let mut s = given;
+        for _ in 0..4 {
+            for bit in 0..4 {
+                if code(w, s.a)[bit] {
+                    s.a = crossing(w, s, bit);
+                }
+                if code(w, s.b)[bit] {
+                    s.b = crossing(w, s, bit);
+                }
+            }
+        }
+        Ok(Some(s))
+    };
+    proven(
+        e22(whatever_bit),
+        "passes the corner (10,10) outside",
+        ours(),
+    );
+    // Where the slide's loop stands still.
+    let window = Window::new(DVec2::ZERO, DVec2::splat(10.0)).unwrap();
+    let last = cohen_sutherland::trace(
+        &window,
+        Segment::new(DVec2::new(4.0, 14.0), DVec2::new(14.0, 8.0)),
+    );
+    let last = last.last().unwrap();
+    assert_eq!(last.segment.a, DVec2::new(32.0 / 3.0, 10.0));
+    assert_eq!(last.codes.map(|code| code.to_string()), ["0010", "0010"]);
+    assert_eq!(last.decision, cohen_sutherland::Decision::Reject);
 }
 
 /// E30. Olomouc, «Prostorové úhly»: θ is the polar angle, from the z axis, 0 to π.

@@ -2,15 +2,18 @@
 //!
 //! The lines of the window's sides cut the plane into nine regions. Two codes tell at once that a segment is wholly
 //! inside (OR is zero) or wholly beyond one side (AND is not); what is left is cut at one side and asked again.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/outcodes.svg"))]
 
 use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{BitAnd, BitOr};
 
-use ombra_math::glam::DVec2;
+use ombra_math::glam::{DVec2, Vec2Swizzles};
 use ombra_math::work::{Count, Counter};
 
-use crate::crossing::{Slant, at_carefully, compare, cut, cut_in_window};
+use crate::crossing::{compare, cut, cut_in_window, two_entries};
+use crate::lanes::{Mask, and, negative, not, or, select};
 use crate::segment::Segment;
 use crate::window::{Line, Side, Window};
 
@@ -68,11 +71,6 @@ impl Outcode {
     #[must_use]
     pub const fn is_inside(self) -> bool {
         self.0 == 0
-    }
-
-    /// The side of the one bit that is 1, if it is one.
-    pub(crate) fn only_side(self) -> Option<Side> {
-        Side::ALL.into_iter().find(|&side| self == Self::of(side))
     }
 
     /// Whether the bit of `side` is 1.
@@ -212,63 +210,64 @@ pub enum Decision {
 #[inline]
 #[must_use]
 pub fn clip_segment(window: &Window, segment: Segment) -> Option<Segment> {
-    // Fast form: the two tests, then each end by itself.
-    let codes = [outcode(window, segment.a), outcode(window, segment.b)];
-    if (codes[0] | codes[1]).is_inside() {
-        return segment.is_finite().then_some(segment); // a window made by hand may reach to infinity
+    // Fast form: the same two tests, for both ends at once.
+    let Segment { a, b } = segment;
+    let (x, y) = (DVec2::new(a.x, b.x), DVec2::new(a.y, b.y));
+    let distances = [
+        x + (0.0 - window.min.x), // on the border 0 for −0 too
+        (window.max.x + 0.0) - x,
+        y + (0.0 - window.min.y),
+        (window.max.y + 0.0) - y,
+    ];
+    let [left, right, below, above] = distances.map(negative);
+    let outside = or(or(left, right), or(below, above));
+    if outside[0] | outside[1] == 0 {
+        // A NaN has any sign, and a window made by hand may have anything.
+        let inside = segment.is_finite() && !window.is_empty();
+        // Built anew: one and the same registers for all answers.
+        return inside.then(|| Segment::new(DVec2::new(x.x, y.x), DVec2::new(x.y, y.y)));
     }
-    if !(codes[0] & codes[1]).is_inside() || window.is_empty() {
+    if both_ends(left) | both_ends(right) | both_ends(below) | both_ends(above) != 0 {
         return None;
     }
-    let Segment { mut a, mut b } = segment;
-    let slant = Slant::of(segment);
-    if !codes[0].is_inside() {
-        a = cut_end(window, segment, &slant, a, codes[0])?;
+    // Each end enters by itself; what is wrong for one inside is not looked at.
+    let [left, right, below, above] = distances;
+    let within = [left.min(right), below.min(above)];
+    let entries = two_entries(window, [x, y], [x.yx(), y.yx()], within);
+    if both_ends(or(entries.certain, not(outside))) != 0 && !window.is_empty() {
+        let x = select(outside, entries.x, x);
+        let y = select(outside, entries.y, y);
+        return Some(Segment::new(DVec2::new(x.x, y.x), DVec2::new(x.y, y.y)));
     }
-    if !codes[1].is_inside() {
-        b = cut_end(window, segment, &slant, b, codes[1])?;
+    let missed = and(entries.missed(), outside);
+    if missed[0] | missed[1] != 0 {
+        return None;
     }
-    Some(Segment { a, b })
+    clip_carefully(window, segment)
 }
 
-/// Where the segment enters the window, coming from one of its ends.
-#[inline(always)]
-fn cut_end(window: &Window, segment: Segment, slant: &Slant, end: DVec2, code: Outcode) -> Option<DVec2> {
-    // The corner next to `end`, or the foot on the side next to it: the later of its two lines is the one that counts.
-    let corner = end.max(window.min).min(window.max);
-    let (gap, d) = ((corner - end).abs(), (segment.b - segment.a).abs());
-    let upright = (gap.x > 0.0) & (gap.x * d.y >= gap.y * d.x);
-    // Coordinates by number instead of two branches, which the processor would guess wrong half of the time.
-    let (i, j) = (usize::from(!upright), usize::from(upright));
-    let [a, b, corner] = [segment.a, segment.b, corner].map(|p| p.to_array());
-    let along = match slant.at(corner[i], i, j) {
-        Some(along) => along,
-        None => at_carefully(corner[i], [a[i], b[i]], [a[j], b[j]]),
-    };
-    let (low, high) = (window.min.to_array()[j], window.max.to_array()[j]);
-    let mut p = [along; 2];
-    p[i] = corner[i] + 0.0;
-    let p = DVec2::from_array(p);
-    if low < along && along < high {
-        return Some(p);
-    }
-    // Well beside the side, the segment misses; at a corner, rounding may have misled.
-    let beside = along < low || along > high;
-    if beside && (outcode(window, p) & code).is_inside() {
-        return None;
-    }
-    cut_carefully(window, segment, code)
+fn both_ends(mask: Mask) -> u64 {
+    mask[0] & mask[1]
 }
 
 /// The same without haste: an end beyond one side is cut there or the segment misses; one in a corner's region is cut
 /// at whichever of its two sides has the crossing in the window.
 #[cold]
 #[inline(never)]
-fn cut_carefully(window: &Window, segment: Segment, code: Outcode) -> Option<DVec2> {
-    Side::ALL
-        .into_iter()
-        .filter(|&side| code.has(side))
-        .find_map(|side| cut_in_window(window, segment, window.line(side)))
+fn clip_carefully(window: &Window, segment: Segment) -> Option<Segment> {
+    if window.is_empty() || !segment.is_finite() {
+        return None;
+    }
+    let entry = |end: DVec2| {
+        if window.contains(end) {
+            return Some(end);
+        }
+        Side::ALL
+            .into_iter()
+            .filter(|&side| outcode(window, end).has(side))
+            .find_map(|side| cut_in_window(window, segment, window.line(side)))
+    };
+    Some(Segment::new(entry(segment.a)?, entry(segment.b)?))
 }
 
 /// The iterations of the method, the last one accepting or rejecting; empty if an end is not finite.

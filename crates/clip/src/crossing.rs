@@ -11,6 +11,7 @@ use ombra_math::exact::Sum;
 use ombra_math::glam::{DVec2, Vec2Swizzles};
 use ombra_math::predicates::orient_2d;
 
+use crate::lanes::{Mask, and, at_most, equal, first_bits, less, opaque, or, turn};
 use crate::segment::Segment;
 use crate::window::{Line, Window};
 
@@ -66,8 +67,79 @@ pub fn at_y(segment: Segment, y: f64) -> Option<f64> {
 pub(crate) fn cut(segment: Segment, line: Line) -> DVec2 {
     let Segment { a, b } = segment;
     match line {
-        Line::Vertical(x) => DVec2::new(x + 0.0, at(x, [a.x, b.x], [a.y, b.y])),
-        Line::Horizontal(y) => DVec2::new(at(y, [a.y, b.y], [a.x, b.x]), y + 0.0),
+        Line::Vertical(x) => DVec2::new(x, at(x, [a.x, b.x], [a.y, b.y])),
+        Line::Horizontal(y) => DVec2::new(at(y, [a.y, b.y], [a.x, b.x]), y),
+    }
+}
+
+/// Where two segments, each from outside, enter the window.
+pub(crate) struct Entries {
+    /// The x and the y of both.
+    pub(crate) x: DVec2,
+    pub(crate) y: DVec2,
+    /// Which of the two are at an upright side.
+    pub(crate) upright: Mask,
+    /// Which are certain: in the window, and not at a corner.
+    pub(crate) certain: Mask,
+    /// Along their side: the crossing with its line, the first end, the side.
+    along: DVec2,
+    end: DVec2,
+    low: DVec2,
+    high: DVec2,
+    rounded: Mask,
+}
+
+impl Entries {
+    /// Which do not exist, for certain.
+    #[inline]
+    pub(crate) fn missed(&self) -> Mask {
+        // Beyond a side that the end is not beyond, it misses. At a corner, rounding may have chosen the wrong line.
+        let below = and(less(self.along, self.low), at_most(self.low, self.end));
+        let above = and(less(self.high, self.along), at_most(self.end, self.high));
+        and(self.rounded, or(below, above))
+    }
+}
+
+/// Fast form: where two segments at once enter the window, each coming from outside; x and y of their first ends and of
+/// their second ones, and how far within the window the first ends are in x and in y, negative outside.
+///
+/// Without branches: on random segments a wrong guess of the processor costs more than the arithmetic.
+#[inline(always)]
+pub(crate) fn two_entries(
+    window: &Window,
+    [ax, ay]: [DVec2; 2],
+    [bx, by]: [DVec2; 2],
+    [within_x, within_y]: [DVec2; 2],
+) -> Entries {
+    let splat = DVec2::splat;
+    let (min_x, min_y) = (splat(window.min.x), splat(window.min.y));
+    let (max_x, max_y) = (splat(window.max.x), splat(window.max.y));
+    // The corner next to an end, or the foot on the side next to it. Of its lines, the one that is met last counts.
+    let corner_x = ax.max(min_x).min(max_x) + 0.0;
+    let corner_y = ay.max(min_y).min(max_y) + 0.0;
+    let (dx, dy) = ((bx - ax).abs(), (by - ay).abs());
+    let upright = opaque(and(
+        less(within_x, DVec2::ZERO),
+        at_most(within_x * dy, within_y * dx),
+    ));
+    // Turn the plane so that this line is upright.
+    let [a, along_a] = turn(upright, ax, ay);
+    let [b, along_b] = turn(upright, bx, by);
+    let [c, _] = turn(upright, corner_x, corner_y);
+    let [_, low] = turn(upright, min_x, min_y);
+    let [_, high] = turn(upright, max_x, max_y);
+    let (along, rounded) = two_at(c, [a, b], [along_a, along_b]);
+    let [x, y] = turn(upright, c, along);
+    Entries {
+        x,
+        y,
+        upright,
+        certain: and(rounded, and(less(low, along), less(along, high))),
+        along,
+        end: along_a,
+        low,
+        high,
+        rounded,
     }
 }
 
@@ -140,93 +212,72 @@ pub(crate) fn order(segment: Segment, first: Line, second: Line) -> Ordering {
 }
 
 /// y where x = `c`, on the way from (x₀, y₀) to (x₁, y₁), x₀ and x₁ on either side of c: the nearest double.
-#[inline]
 pub(crate) fn at(c: f64, x: [f64; 2], y: [f64; 2]) -> f64 {
-    let segment = Segment::new(DVec2::new(x[0], y[0]), DVec2::new(x[1], y[1]));
-    match Slant::of(segment).at(c, 0, 1) {
-        Some(y) => y,
-        None => at_carefully(c, x, y),
+    let splat = DVec2::splat;
+    let (rounded, certain) = two_at(splat(c), x.map(splat), y.map(splat));
+    if certain[0] != 0 {
+        rounded.x
+    } else {
+        at_carefully(c, x, y)
     }
 }
 
 #[cold]
 #[inline(never)]
-pub(crate) fn at_carefully(c: f64, [x0, x1]: [f64; 2], y: [f64; 2]) -> f64 {
+fn at_carefully(c: f64, [x0, x1]: [f64; 2], y: [f64; 2]) -> f64 {
     let u = DoubleDouble::sum(c, -x0);
     let w = DoubleDouble::sum(x1, -x0);
     match rounded(u, w, y, SLACK) {
-        Some(y) => y + 0.0,
+        Some(y) => y + 0.0, // not −0
         None => exact(&[[x0, 1.0], [-c, 1.0]], &[[x1, 1.0], [-c, 1.0]], y),
     }
 }
 
-/// What all crossings of a segment with upright and level lines have in common.
+/// Fast form: two answers of [`at`] at once, with a mask where they are certain.
 ///
 /// With t cut to 24 bits and the differences to 29, their products fit doubles; the rest is below 2⁻²² of the whole
 /// and needs no more than a double. The error is below 2⁻⁷² (|y₀| + |y₁|). If the value moved by four times that to
 /// either side rounds to one double, so does the exact one.
-pub(crate) struct Slant {
-    a: [f64; 2],
-    /// b − a: to a double, and what that leaves.
-    d: [f64; 2],
-    d_rest: [f64; 2],
-    /// The first 29 bits of `d`, and the others.
-    first: [f64; 2],
-    last: [f64; 2],
-    /// The other coordinate of d by this one.
-    slope: [f64; 2],
-    /// 2⁻⁷⁰ (|a| + |b|).
-    slack: [f64; 2],
-    small: bool,
+#[inline(always)]
+pub(crate) fn two_at(c: DVec2, [x0, x1]: [DVec2; 2], [y0, y1]: [DVec2; 2]) -> (DVec2, Mask) {
+    let (u, u_rest) = difference(c, x0);
+    let (w, w_rest) = difference(x1, x0);
+    let (v, v_rest) = difference(y1, y0);
+    let t = first_bits::<24>(u / w);
+    let (w1, v1) = (first_bits::<29>(w), first_bits::<29>(v));
+    // u − t w, of which only the first difference cancels, and that is exact.
+    let rest = (u - t * w1) - t * (w - w1) + (u_rest - t * w_rest);
+    let (y, y_rest) = sum(y0, t * v1);
+    let small = y_rest + (t * (v - v1) + (rest * (v / w) + t * v_rest));
+    let size = y0.abs() + y1.abs();
+    let slack = size * SLACK_72;
+    let (low, high) = (y + (small - slack), y + (small + slack));
+    // Then nothing overflows, and no product loses digits below the smallest double.
+    let in_range = and(
+        less(size + w.abs(), DVec2::splat(LARGE)),
+        less(DVec2::splat(1.0 / LARGE), size * w.abs()),
+    );
+    (low, and(equal(low, high), in_range))
 }
 
-impl Slant {
-    #[inline]
-    pub(crate) fn of(segment: Segment) -> Self {
-        let Segment { a, b } = segment;
-        let d = b - a;
-        let b_part = d + a;
-        let d_rest = (b - b_part) - (a - (b_part - d));
-        let first = DVec2::new(first_bits::<29>(d.x), first_bits::<29>(d.y));
-        let size = a.abs() + b.abs();
-        Self {
-            a: a.to_array(),
-            d: d.to_array(),
-            d_rest: d_rest.to_array(),
-            first: first.to_array(),
-            last: (d - first).to_array(),
-            slope: (d.yx() / d).to_array(),
-            slack: (size * SLACK_72).to_array(),
-            small: size.x + size.y < LARGE,
-        }
-    }
+/// a + b, rounded, and what that leaves.
+#[inline]
+fn sum(a: DVec2, b: DVec2) -> (DVec2, DVec2) {
+    let s = a + b;
+    let b_part = s - a;
+    (s, (a - (s - b_part)) + (b - b_part))
+}
 
-    /// Fast form: the coordinate `j` where coordinate `i` is c, the other of the two; `None` if 72 bits leave it in doubt.
-    #[inline]
-    pub(crate) fn at(&self, c: f64, i: usize, j: usize) -> Option<f64> {
-        let (w, v) = (self.d[i], self.d[j]);
-        let u = DoubleDouble::sum(c, -self.a[i]);
-        let t = first_bits::<24>(u.hi / w);
-        // u − t w, of which only the first difference cancels, and that is exact.
-        let rest = (u.hi - t * self.first[i]) - t * self.last[i] + (u.lo - t * self.d_rest[i]);
-        let y = DoubleDouble::sum(self.a[j], t * self.first[j]);
-        let small = y.lo + (t * self.last[j] + (rest * self.slope[i] + t * self.d_rest[j]));
-        let slack = self.slack[j];
-        let (low, high) = (y.hi + (small - slack), y.hi + (small + slack));
-        let _ = v;
-        let in_range = self.small & (slack * w.abs() > 1.0 / LARGE);
-        (low == high && in_range).then_some(low)
-    }
+/// a − b, rounded, and what that leaves.
+#[inline]
+fn difference(a: DVec2, b: DVec2) -> (DVec2, DVec2) {
+    let d = a - b;
+    let a_part = d + b;
+    (d, (a - a_part) - (b - (a_part - d)))
 }
 
 /// 2⁻⁷⁰.
 const SLACK_72: f64 = f64::from_bits((1023 - 70) << 52);
-
-/// x without its digits after the first `N` bits.
-#[inline]
-fn first_bits<const N: u32>(x: f64) -> f64 {
-    f64::from_bits(x.to_bits() & (u64::MAX << (53 - N)))
-}
 
 /// The same between two points whose distances from the line are the sums p + q of two doubles each, one positive
 /// and one negative.

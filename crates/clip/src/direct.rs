@@ -2,6 +2,8 @@
 //!
 //! The lecture's first approach, and its costly one: every side that is not parallel is intersected, and an
 //! intersection counts where its parameter lies in [0, 1] on the segment and on the side.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/segment-cases.svg"))]
 
 use ombra_math::work::{Count, Counter};
 

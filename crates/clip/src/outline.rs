@@ -2,6 +2,7 @@
 
 use ombra_math::glam::DVec2;
 
+use crate::cohen_sutherland::{Outcode, outcode};
 use crate::window::Window;
 
 /// The vertices of a polygon, one after another.
@@ -21,16 +22,6 @@ impl Outline {
     pub(crate) fn put(&mut self, p: DVec2) {
         if self.points.last() != Some(&p) {
             self.points.push(p);
-        }
-    }
-
-    /// Appends a whole polygon.
-    pub(crate) fn put_all(&mut self, polygon: &[DVec2]) {
-        let repeats = |pairs: &[DVec2]| pairs.windows(2).fold(false, |any, p| any | (p[0] == p[1]));
-        if repeats(polygon) {
-            polygon.iter().for_each(|&p| self.put(p));
-        } else {
-            self.extend(polygon);
         }
     }
 
@@ -66,17 +57,15 @@ pub(crate) fn is_finite(polygon: &[DVec2]) -> bool {
     polygon.iter().fold(true, |all, p| all & p.is_finite())
 }
 
-/// Whether all vertices lie in the window.
-pub(crate) fn is_inside(window: &Window, polygon: &[DVec2]) -> bool {
-    let inside = |p: &DVec2| {
-        (window.min.x <= p.x)
-            & (p.x <= window.max.x)
-            & (window.min.y <= p.y)
-            & (p.y <= window.max.y)
+/// How many of the vertices after `p` lie in the same region; inside, up to one that repeats the one before.
+pub(crate) fn length_of_run(window: &Window, p: DVec2, code: Outcode, after: &[DVec2]) -> usize {
+    let mut before = p;
+    let mut in_run = |&q: &DVec2| {
+        let go_on = outcode(window, q) == code && (q != before || !code.is_inside());
+        before = q;
+        go_on
     };
-    // By blocks, as above, but with an end where one is outside.
-    let mut blocks = polygon.chunks(64);
-    blocks.all(|block| block.iter().fold(true, |all, p| all & inside(p)))
+    after.iter().position(|q| !in_run(q)).unwrap_or(after.len())
 }
 
 /// Each vertex with the one before it, the last before the first.

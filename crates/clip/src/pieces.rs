@@ -3,18 +3,23 @@
 //! A concave polygon may fall into several parts. Its boundary enters and leaves the window; between leaving and the
 //! next entry along the window's border runs the border of a piece. Joining each way out with the right way in gives
 //! every piece for itself, without the edges back and forth that one outline for all needs.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/polygon-cases.svg"))]
 
 use core::cmp::Ordering;
 
-use ombra_math::exact::Sum;
 use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
 
 use crate::cohen_sutherland::Outcode;
-use crate::crossing::{compare_exactly, cut_in_window};
-use crate::outline::{Outline, edges, is_finite, is_inside};
+use crate::crossing::compare_exactly;
+use crate::outline::{Outline, edges, is_finite, length_of_run};
 use crate::segment::Segment;
-use crate::window::{Line, Side, Window};
+use crate::window::{Line, Window};
+
+use ends::{Border, End, strict_code};
+
+mod ends;
 
 /// The parts of a polygon in `window`, each a polygon of its own.
 ///
@@ -78,11 +83,18 @@ pub fn clip_polygon_counted(
     if !(window.min.x < window.max.x && window.min.y < window.max.y) {
         return Vec::new();
     }
-    if is_inside(window, polygon) {
-        work.add(Counter::Vertices, polygon.len() as u64);
-        let mut outline = Outline::with_capacity(polygon.len());
-        outline.put_all(polygon);
-        return not_empty(outline.close(window)).into_iter().collect();
+    if let Some((&first, after)) = polygon.split_first()
+        && window.contains(first)
+    {
+        let run = length_of_run(window, first, Outcode::INSIDE, after);
+        if after.iter().skip(run).all(|&p| window.contains(p)) {
+            work.add(Counter::Vertices, polygon.len() as u64);
+            let (run, rest) = polygon.split_at(run + 1);
+            let mut outline = Outline::with_capacity(polygon.len());
+            outline.extend(run);
+            rest.iter().for_each(|&p| outline.put(p));
+            return not_empty(outline.close(window)).into_iter().collect();
+        }
     }
     if !is_finite(polygon) {
         return Vec::new();
@@ -92,7 +104,7 @@ pub fn clip_polygon_counted(
     if chains.ends.is_empty() {
         return around(window, winding);
     }
-    chains.join(window, winding)
+    chains.join(Border { window, polygon }, winding)
 }
 
 fn not_empty(polygon: Vec<DVec2>) -> Option<Vec<DVec2>> {
@@ -108,31 +120,6 @@ fn around(window: &Window, winding: i64) -> Vec<Vec<DVec2>> {
     (0..winding.unsigned_abs())
         .map(|_| corners.clone())
         .collect()
-}
-
-/// The region of `p` with the border counted as outside: 0000 only strictly inside.
-#[inline]
-fn strict_code(window: &Window, p: DVec2) -> Outcode {
-    let bit = |is: bool, code: Outcode| if is { code } else { Outcode::INSIDE };
-    bit(p.y >= window.max.y, Outcode::ABOVE)
-        | bit(p.y <= window.min.y, Outcode::BELOW)
-        | bit(p.x >= window.max.x, Outcode::RIGHT)
-        | bit(p.x <= window.min.x, Outcode::LEFT)
-}
-
-/// Where a chain meets the border.
-#[derive(Clone, Copy)]
-struct End {
-    point: DVec2,
-    /// The side on the way counter-clockwise from `min`, 0 to 3; a corner belongs to the side that starts there.
-    side: u8,
-    /// The edge that crosses the side, if `point` is not exact.
-    crossing: Option<Segment>,
-    /// From here into the window.
-    inwards: Segment,
-    /// An entry; otherwise an exit.
-    is_entry: bool,
-    chain: usize,
 }
 
 /// The parts of the boundary strictly inside, with their ends on the border.
@@ -164,34 +151,27 @@ impl Chains {
         let mut code = polygon
             .first()
             .map_or(Outcode::INSIDE, |&p| strict_code(window, p));
-        for (&a, &b) in polygon.iter().zip(next) {
+        let border = Border { window, polygon };
+        for (edge, &b) in next.enumerate() {
             let code_a = code;
             code = strict_code(window, b);
             if (code_a | code).is_inside() {
                 chains.points.push(b);
             } else if (code_a & code).is_inside() {
-                let edge = Segment::new(a, b);
+                let chain = chains.limits.len();
                 let [enters, leaves] = [!code_a.is_inside(), !code.is_inside()];
-                let entry = if enters { enter(window, edge) } else { None };
-                let exit = if leaves {
-                    enter(window, edge.reversed())
-                } else {
-                    None
-                };
+                let end = |is_entry| border.end(edge, is_entry, chain);
+                let entry = if enters { end(true) } else { None };
+                let exit = if leaves { end(false) } else { None };
                 if entry.is_some() != enters || exit.is_some() != leaves {
                     continue; // it only touches
                 }
                 work.add(Counter::Divisions, u64::from(enters) + u64::from(leaves));
-                if let Some(entry) = entry {
-                    chains.points.push(entry.point);
-                    chains.end(entry, true);
-                }
-                if let Some(exit) = exit {
-                    chains.points.push(exit.point);
-                    chains.end(exit, false);
+                chains.points.extend(entry.map(|end| end.point));
+                chains.points.push(exit.map_or(b, |end| end.point));
+                chains.ends.extend(entry.into_iter().chain(exit));
+                if leaves {
                     chains.limits.push(chains.points.len());
-                } else {
-                    chains.points.push(b);
                 }
             }
         }
@@ -203,24 +183,15 @@ impl Chains {
         chains
     }
 
-    fn end(&mut self, end: End, is_entry: bool) {
-        let chain = self.limits.len();
-        self.ends.push(End {
-            is_entry,
-            chain,
-            ..end
-        });
-    }
-
     /// Joins each exit with the right entry; `winding` is that of the border's start.
-    fn join(mut self, window: &Window, winding: i64) -> Vec<Vec<DVec2>> {
-        self.sort(window, false);
+    fn join(mut self, border: Border, winding: i64) -> Vec<Vec<DVec2>> {
+        border.sort(&mut self.ends, false);
         // Past an exit of a counter-clockwise polygon the border runs inside it, past an entry outside.
         let step = |end: &End| if end.is_entry { -1 } else { 1 };
         let lowest = |ends: &[End]| running(winding, ends.iter().map(step)).min().unwrap_or(0);
         if lowest(&self.ends).min(winding) < 0 {
             // Clockwise: so that an edge out and back in meets itself here too.
-            self.sort(window, true);
+            border.sort(&mut self.ends, true);
         }
         let least = lowest(&self.ends).min(winding);
         let most = running(winding, self.ends.iter().map(step))
@@ -276,39 +247,9 @@ impl Chains {
                 forwards: true,
             });
         }
-        let mut pieces = self.follow(window, next);
-        pieces.extend(around(window, base));
+        let mut pieces = self.follow(border.window, next);
+        pieces.extend(around(border.window, base));
         pieces
-    }
-
-    /// Puts the ends in their order along the border; of ends of one edge out and back in, entries or exits first.
-    fn sort(&mut self, window: &Window, entries_first: bool) {
-        // By rounded position first, which integers compare fastest; then, where those are equal, exactly.
-        let mut ranks: Vec<(u8, i64, u32)> = Vec::with_capacity(self.ends.len());
-        for (i, end) in self.ends.iter().enumerate() {
-            let along = match end.side {
-                0 => end.point.x,
-                1 => end.point.y,
-                2 => -end.point.x,
-                _ => -end.point.y,
-            };
-            ranks.push((end.side, ordered_bits(along + 0.0), i as u32));
-        }
-        ranks.sort_unstable();
-        let ends = &self.ends;
-        let mut sorted: Vec<End> = ranks
-            .iter()
-            .filter_map(|&(.., i)| ends.get(i as usize).copied())
-            .collect();
-        let same_place = |e: &End, f: &End| e.side == f.side && e.point == f.point;
-        for group in sorted.chunk_by_mut(same_place) {
-            group.sort_by(|e, f| {
-                let kind = e.is_entry.cmp(&f.is_entry);
-                let kind = if entries_first { kind.reverse() } else { kind };
-                e.before(window, f).then(kind)
-            });
-        }
-        self.ends = sorted;
     }
 
     /// The loops that the links make of the chains.
@@ -353,163 +294,12 @@ struct Link {
     forwards: bool,
 }
 
-/// An integer that compares as the number does.
-fn ordered_bits(x: f64) -> i64 {
-    let bits = x.to_bits() as i64;
-    bits ^ ((bits >> 63) as u64 >> 1) as i64
-}
-
 /// The sums of `start` and the steps so far, after each step.
 fn running(start: i64, steps: impl Iterator<Item = i64>) -> impl Iterator<Item = i64> {
     steps.scan(start, |w, step| {
         *w += step;
         Some(*w)
     })
-}
-
-/// Where an edge that starts outside or on the border enters the inside of the window; `None` if it only touches.
-/// It must not lie beyond or along one side.
-fn enter(window: &Window, edge: Segment) -> Option<End> {
-    let Segment { a, b } = edge;
-    let end = |point: DVec2, crossing: Option<Segment>| {
-        let (right, left) = (point.x == window.max.x, point.x == window.min.x);
-        let (above, below) = (point.y == window.max.y, point.y == window.min.y);
-        // A rounded crossing on the side before a corner may lie where the corner is.
-        let side = match crossing {
-            None if right && above => 2,
-            None if left && above => 3,
-            None if left && below => 0,
-            None if right && below => 1,
-            _ if below => 0,
-            _ if right => 1,
-            _ if above => 2,
-            _ => 3,
-        };
-        End {
-            point,
-            side,
-            crossing,
-            inwards: edge,
-            is_entry: true,
-            chain: 0,
-        }
-    };
-    if window.contains(a) {
-        return Some(end(a, None));
-    }
-    let (side, point) = Side::ALL
-        .into_iter()
-        .filter(|&side| window.is_beyond(side, a))
-        .find_map(|side| Some((side, cut_in_window(window, edge, window.line(side))?)))?;
-    let line = window.line(side);
-    let (along, low, high) = match line {
-        Line::Vertical(_) => (point.y, window.min.y, window.max.y),
-        Line::Horizontal(_) => (point.x, window.min.x, window.max.x),
-    };
-    let at_corner =
-        (along == low || along == high) && compare_exactly(edge, line, along) == Ordering::Equal;
-    if !at_corner {
-        return Some(End {
-            side: match side {
-                Side::Below => 0,
-                Side::Right => 1,
-                Side::Above => 2,
-                Side::Left => 3,
-            },
-            ..end(point, Some(edge))
-        });
-    }
-    let turned_inwards = (strict_code(window, point) & strict_code(window, b)).is_inside();
-    turned_inwards.then(|| end(point, None))
-}
-
-impl End {
-    /// Which of two ends comes first on the way round, counter-clockwise; at one point, which chain does, just inside
-    /// the border.
-    fn before(&self, window: &Window, other: &Self) -> Ordering {
-        self.side
-            .cmp(&other.side)
-            .then_with(|| self.along(window, other))
-            .then_with(|| {
-                // The one that leans back more.
-                let cross = [(self, other, -1.0), (other, self, 1.0)].map(|(d, e, sign)| {
-                    let ([p, q], [r, s]) = ([d.inwards.a, d.inwards.b], [e.inwards.a, e.inwards.b]);
-                    [
-                        [sign * q.x, s.y, 1.0],
-                        [-sign * q.x, r.y, 1.0],
-                        [-sign * p.x, s.y, 1.0],
-                        [sign * p.x, r.y, 1.0],
-                    ]
-                });
-                // (other × self) > 0 where self leans back more.
-                let sum = Sum::of(&cross.concat());
-                sum.sign().unwrap_or(Ordering::Equal).reverse()
-            })
-    }
-
-    /// The order of two ends on one side.
-    fn along(&self, window: &Window, other: &Self) -> Ordering {
-        let (line, x, y, turned) = match self.side {
-            0 => (
-                Line::Horizontal(window.min.y),
-                self.point.x,
-                other.point.x,
-                false,
-            ),
-            1 => (
-                Line::Vertical(window.max.x),
-                self.point.y,
-                other.point.y,
-                false,
-            ),
-            2 => (
-                Line::Horizontal(window.max.y),
-                self.point.x,
-                other.point.x,
-                true,
-            ),
-            _ => (
-                Line::Vertical(window.min.x),
-                self.point.y,
-                other.point.y,
-                true,
-            ),
-        };
-        let rounded = x.partial_cmp(&y).unwrap_or(Ordering::Equal);
-        let order = rounded.then_with(|| match (self.crossing, other.crossing) {
-            (None, None) => Ordering::Equal,
-            (Some(edge), None) => compare_exactly(edge, line, y),
-            (None, Some(edge)) => compare_exactly(edge, line, x).reverse(),
-            (Some(edge), Some(with)) => order_of_crossings(edge, with, line),
-        });
-        if turned { order.reverse() } else { order }
-    }
-}
-
-/// Which of two edges crosses `line` first along it.
-///
-/// ```text
-/// sign of N₁ D₂ − N₂ D₁,  y = N / D,  N = y_a (x_b − c) + y_b (c − x_a),  D = x_b − x_a > 0
-/// ```
-fn order_of_crossings(e: Segment, f: Segment, line: Line) -> Ordering {
-    let coordinates = |s: Segment| {
-        let (c, a, b) = match line {
-            Line::Vertical(x) => (x, [s.a.x, s.a.y], [s.b.x, s.b.y]),
-            Line::Horizontal(y) => (y, [s.a.y, s.a.x], [s.b.y, s.b.x]),
-        };
-        if a[0] < b[0] { (c, a, b) } else { (c, b, a) }
-    };
-    let mut sum = Sum::default();
-    for (first, second, sign) in [(e, f, 1.0), (f, e, -1.0)] {
-        let ((c, a, b), (_, p, q)) = (coordinates(first), coordinates(second));
-        for d in [q[0], -p[0]] {
-            sum.add([sign * a[1], b[0], d]);
-            sum.add([-sign * a[1], c, d]);
-            sum.add([sign * b[1], c, d]);
-            sum.add([-sign * b[1], a[0], d]);
-        }
-    }
-    sum.sign().unwrap_or(Ordering::Equal)
 }
 
 /// The winding number of the polygon just inside the corner `min`: right of the left side by less than above the lower.

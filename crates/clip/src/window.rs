@@ -1,4 +1,6 @@
 //! The clipping window: an upright rectangle, and the four inequalities of a point inside it.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/point-window.svg"))]
 
 use core::fmt;
 
@@ -173,14 +175,14 @@ impl Window {
         ]
     }
 
-    /// The line of a side.
+    /// The line of a side, at 0 rather than −0.
     #[inline]
     pub(crate) const fn line(&self, side: Side) -> Line {
         match side {
-            Side::Above => Line::Horizontal(self.max.y),
-            Side::Below => Line::Horizontal(self.min.y),
-            Side::Right => Line::Vertical(self.max.x),
-            Side::Left => Line::Vertical(self.min.x),
+            Side::Above => Line::Horizontal(self.max.y + 0.0),
+            Side::Below => Line::Horizontal(self.min.y + 0.0),
+            Side::Right => Line::Vertical(self.max.x + 0.0),
+            Side::Left => Line::Vertical(self.min.x + 0.0),
         }
     }
 
@@ -203,15 +205,6 @@ pub(crate) enum Line {
     Vertical(f64),
     /// y = c.
     Horizontal(f64),
-}
-
-impl Line {
-    pub(crate) fn contains(self, p: DVec2) -> bool {
-        match self {
-            Self::Vertical(c) => p.x == c,
-            Self::Horizontal(c) => p.y == c,
-        }
-    }
 }
 
 #[cfg(test)]

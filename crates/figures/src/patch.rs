@@ -48,9 +48,11 @@ impl Patch {
                 plane.coefficients()
             ),
         };
-        let n = plane.normal.try_normalize().ok_or_else(wrong)?;
-        let length = plane.normal.length();
-        let origin = -n * (plane.d / length);
+        // Any multiple is the same plane: one with ordinary numbers, before lengths are squared.
+        let largest = plane.normal.abs().max_element();
+        let (normal, d) = (plane.normal / largest, plane.d / largest);
+        let n = normal.try_normalize().ok_or_else(wrong)?;
+        let origin = -n * (d / normal.length());
         // On the ground along x; on a wall level.
         let u = DVec3::Y
             .cross(n)

@@ -85,7 +85,7 @@ impl DoubleDouble {
     }
 
     /// Whether products of three such numbers, and sums of some of those, stay clear of overflow and underflow:
-    /// 0, or 2⁻²⁵⁰ ≤ |x| ≤ 2²⁵⁰.
+    /// 0, or 2⁻²⁵⁰ ≤ |x| < 2²⁵¹.
     #[inline]
     #[must_use]
     pub fn in_range(x: f64) -> bool {
@@ -203,7 +203,8 @@ mod tests {
             (-0.0, true),
             (1e75, true),
             (-1e-75, true),
-            (1e76, false),
+            (libm::scalbn(1.0, 251).next_down(), true),
+            (libm::scalbn(1.0, 251), false),
             (1e-76, false),
             (5e-324, false),
             (f64::NAN, false),

@@ -223,7 +223,7 @@ impl Sum {
 /// # Properties
 ///
 /// f = 0 exactly where a·b = 0; (NaN, 0) if a coordinate is not finite. Ordinary coordinates take some 30 ns and
-/// e = 0; only cancellation beyond 2⁻⁴⁰ or extreme exponents go to the exact sum.
+/// e = 0; only a value of 0, cancellation beyond 2⁻³⁸ and extreme exponents go to the exact sum.
 ///
 /// # Examples
 ///
@@ -249,6 +249,36 @@ pub fn dot(a: DVec4, b: DVec4) -> (f64, i32) {
         sum.add([x, y, 1.0]);
     }
     sum.to_scaled()
+}
+
+/// Numbers f · 2ᵉ, as of [`dot`] or [`Sum::to_scaled`], brought to one exponent: their ratios, the largest between 1
+/// and 2.
+///
+/// # Properties
+///
+/// Every sign is kept: what is too small beside the largest becomes the smallest double of its sign, and only 0
+/// becomes 0. NaN stays NaN.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::exact::relative;
+///
+/// assert_eq!(relative(&[(1.5, 3000), (-1.0, 2999), (0.0, 0), (1.0, -3000)]), [1.5, -0.5, 0.0, 5e-324]);
+/// ```
+#[must_use]
+pub fn relative(scaled: &[(f64, i32)]) -> Vec<f64> {
+    let exponents = scaled.iter().filter(|(f, _)| *f != 0.0).map(|&(_, e)| e);
+    let top = exponents.max().unwrap_or(0);
+    let one = |&(f, e): &(f64, i32)| {
+        let x = libm::scalbn(f, e - top);
+        if x == 0.0 && f != 0.0 {
+            f64::from_bits(1).copysign(f)
+        } else {
+            x
+        }
+    };
+    scaled.iter().map(one).collect()
 }
 
 /// a·b for coordinates in range, with a bound of its error.

@@ -172,7 +172,8 @@ impl Plane {
     /// # Properties
     ///
     /// The sign is right for finite input, and the relative error at most 4ε, also where n·p and d cancel and for
-    /// normals of any length; a distance below the smallest double is 0 (see [`Plane::side`]). NaN if a coordinate of `p` or of the plane is not finite or the normal is zero.
+    /// normals of any length. A subnormal distance is within its last place, one below the smallest double is 0 (see
+    /// [`Plane::side`]), one beyond the largest ±∞. NaN if a coordinate of `p` or of the plane is not finite or the normal is zero.
     ///
     /// # Pitfalls
     ///
@@ -260,9 +261,17 @@ impl Plane {
     /// (bias).
     #[must_use]
     pub fn offset(&self, distance: f64) -> Self {
+        let largest = self.normal.abs().max_element();
+        let scale = if largest > 0.0 && largest.is_finite() {
+            libm::ilogb(largest)
+        } else {
+            0
+        };
+        let unit = DVec3::from_array(self.normal.to_array().map(|x| libm::scalbn(x, -scale)));
+        let shift = libm::scalbn(distance * unit.length(), scale);
         Self {
             normal: self.normal,
-            d: self.d - distance * self.normal.length(),
+            d: self.d - shift,
         }
     }
 
@@ -453,6 +462,17 @@ mod tests {
             d: 0.0,
         };
         assert_eq!(tiny.signed_distance(DVec3::new(1e300, -1e300, 0.0)), -1e300);
+    }
+
+    #[test]
+    fn offsets_of_normals_of_any_length() {
+        for length in [1.0, 1e300, 1e-300, 5e-324] {
+            let plane = Plane {
+                normal: DVec3::Y * length,
+                d: 0.0,
+            };
+            assert_eq!(plane.offset(1.0).d, -length, "{length:e}");
+        }
     }
 
     #[test]

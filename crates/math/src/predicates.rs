@@ -200,7 +200,7 @@ mod tests {
         }
     }
 
-    /// Plain doubles are wrong at 2164 of these 4096 points; here none may be.
+    /// Plain doubles are wrong at many of these 4096 points; here none may be.
     #[test]
     fn a_grid_beside_a_line() {
         let (b, c) = (DVec2::splat(12.0), DVec2::splat(24.0));

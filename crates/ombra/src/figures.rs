@@ -40,7 +40,7 @@ pub struct Options {
     /// Your own object: an OBJ file, or cube, teapot, sphere, torus
     #[arg(long, value_name = "FILE.obj|NAME")]
     mesh: Option<String>,
-    /// SVG with <text>, for editing
+    /// SVG with text elements instead of outlines, for editing
     #[arg(long)]
     text: bool,
     /// A sentence below each figure
@@ -100,12 +100,18 @@ fn draw(options: &Options) -> Result<(), FigureError> {
     let index = write::index(&options.out, &chosen, &style, &formats)?;
     bar.finish_and_clear();
     crate::print(format_args!(
-        "{} figures, {files} files, in {}; gallery: {}",
-        chosen.len(),
+        "{}, {}, in {}; gallery: {}",
+        counted(chosen.len(), "figure"),
+        counted(files, "file"),
         options.out.display(),
         index.display()
     ));
     Ok(())
+}
+
+/// `1 figure`, `2 figures`.
+fn counted(n: usize, thing: &str) -> String {
+    format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
 }
 
 /// The formats named in `text`, each once.
@@ -160,8 +166,8 @@ fn docs() -> Result<(), String> {
     }
     let files = write_docs(root).map_err(|error| error.to_string())?;
     crate::print(format_args!(
-        "{} figures for the documentation",
-        files.len()
+        "{} for the documentation",
+        counted(files.len(), "file")
     ));
     Ok(())
 }

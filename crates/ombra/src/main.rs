@@ -29,7 +29,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    // clap answers a mistyped option itself, with a sentence and exit code 2.
+    // clap answers a mistyped option itself, with what is allowed and exit code 2.
     let result = match Arguments::parse().command {
         Command::Figures(options) => figures::run(&options),
         Command::Trade(options) => trade::run(&options),

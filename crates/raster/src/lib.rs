@@ -1,12 +1,23 @@
 //! The rasterization lecture: which pixels stand for a segment, a polygon, a triangle.
+//!
+//! | module | lecture topic |
+//! | --- | --- |
+//! | [`analytic`] | a segment by y = m x + B |
+//! | [`dda`] | a segment by y += m, in `f64` and `f32` |
+//! | [`bresenham`] | a segment in integers, its decisions, its part in a window |
+//! | [`rectangle`] | outline and filled |
+//! | [`polygon`] | outline; filled under even-odd and non-zero, edge table and active edges |
+//! | [`triangle`] | edge functions with the top-left rule |
+//! | [`attributes`] | linear and perspective-correct interpolation |
+//! | [`span`] | a run of pixels in a row: what filling gives |
+//! | [`buffers`] | colour, depth and stencil |
 
 pub mod analytic;
-pub mod bresenham;
-pub mod dda;
-pub mod rectangle;
-
 pub mod attributes;
+pub mod bresenham;
 pub mod buffers;
+pub mod dda;
 pub mod polygon;
+pub mod rectangle;
 pub mod span;
 pub mod triangle;

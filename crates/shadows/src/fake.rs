@@ -35,7 +35,8 @@ impl Ellipse {
 }
 
 /// The fake shadow of an object on `plane`: an ellipse with the object's largest extents, under the object as `light`
-/// sees it. `None` where the object's middle has no true shadow, or there are no points.
+/// sees it. `None` where the object's middle has no true shadow, there are no points, one is not finite, or an extent is
+/// beyond the largest double.
 ///
 /// # Formula
 ///
@@ -43,6 +44,7 @@ impl Ellipse {
 /// C  = shadow of the middle of the object's bounding box
 /// ‖u‖ = ½ (max e₁·X − min e₁·X),   ‖v‖ = ½ (max e₂·X − min e₂·X)        over the object's points X
 /// e₁ = the coordinate axis most along the plane, made to lie in it;   e₂ = e₁ × n, both of unit length
+/// n = plane.normal / ‖plane.normal‖
 /// ```
 ///
 /// # Properties

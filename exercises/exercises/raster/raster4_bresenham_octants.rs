@@ -16,7 +16,7 @@ use glam::IVec2;
 ///
 /// `plot(x, y)` lights a pixel; y points down.
 ///
-/// Grafica 3, Algoritmo di Bresenham («ancora l'ipotesi non restrittiva m < 1»).
+/// Grafica 3, Algoritmo di Bresenham.
 fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
     // TODO: dx and dy in a type that holds them; run and rise; then the loop of raster3 along the longer axis.
     todo!()

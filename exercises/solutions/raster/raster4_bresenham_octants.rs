@@ -16,7 +16,7 @@ use glam::IVec2;
 ///
 /// `plot(x, y)` lights a pixel; y points down.
 ///
-/// Grafica 3, Algoritmo di Bresenham («ancora l'ipotesi non restrittiva m < 1»).
+/// Grafica 3, Algoritmo di Bresenham.
 fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
     let dx = i64::from(b.x) - i64::from(a.x);
     let dy = i64::from(b.y) - i64::from(a.y);

@@ -5,9 +5,9 @@ use core::cmp::Ordering;
 use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
 
-use crate::cohen_sutherland::{Outcode, outcode};
-use crate::crossing::{compare, cut};
-use crate::outline::{Outline, edges, is_finite};
+use crate::cohen_sutherland::outcode;
+use crate::crossing::{Entries, compare, cut, two_entries};
+use crate::outline::{Outline, edges, is_finite, length_of_run};
 use crate::segment::Segment;
 use crate::window::{Line, Side, Window};
 
@@ -75,18 +75,12 @@ pub fn clip_polygon(window: &Window, polygon: &[DVec2]) -> Vec<DVec2> {
             sides.out.put(p);
             sides.out.extend(inner);
             unseen = Some(end);
-        } else if let (true, Some(side), Some(&back)) = (short_way, code.only_side(), next.first())
-            && outcode(window, back).is_inside()
+        } else if short_way
+            && let Some(&back) = next.first()
+            && let Some(detour) = detour(window, [before, p], [end, back])
         {
-            // Out through one side and back in through it: no other side is met.
-            let line = window.line(side);
-            for (inside, edge) in [
-                (before, Segment::new(before, p)),
-                (back, Segment::new(end, back)),
-            ] {
-                if !line.contains(inside) {
-                    sides.out.put(cut(edge, line));
-                }
+            for p in detour.into_iter().flatten() {
+                sides.out.put(p);
             }
         } else {
             if let Some(v) = unseen.take() {
@@ -136,6 +130,45 @@ pub fn clip_polygon_counted(
         outline.put(v.point);
     }
     outline.close(window)
+}
+
+/// Fast form: what the four sides make of a way out from a vertex inside to `out` and, through the same region, back
+/// in to another: the crossings, and between them the corner if they are on different sides. `None` where that is in
+/// doubt, or a vertex lies on the border.
+fn detour(
+    window: &Window,
+    [before, out]: [DVec2; 2],
+    [end, back]: [DVec2; 2],
+) -> Option<[Option<DVec2>; 3]> {
+    let inside = |p: DVec2| {
+        (window.min.x < p.x) & (p.x < window.max.x) & (window.min.y < p.y) & (p.y < window.max.y)
+    };
+    if !(inside(before) && inside(back)) {
+        return None;
+    }
+    let lanes = |p: DVec2, q: DVec2| [DVec2::new(p.x, q.x), DVec2::new(p.y, q.y)];
+    let [x, y] = lanes(out, end);
+    let within = [
+        (x - window.min.x).min(window.max.x - x),
+        (y - window.min.y).min(window.max.y - y),
+    ];
+    let Entries {
+        x,
+        y,
+        upright,
+        certain,
+        ..
+    } = two_entries(window, [x, y], lanes(before, back), within);
+    if certain[0] & certain[1] == 0 {
+        return None;
+    }
+    let corner = out.max(window.min).min(window.max) + 0.0;
+    let turns = upright[0] != upright[1];
+    Some([
+        Some(DVec2::new(x.x, y.x)),
+        turns.then_some(corner),
+        Some(DVec2::new(x.y, y.y)),
+    ])
 }
 
 /// A vertex on its way through the sides.
@@ -316,18 +349,6 @@ impl<'a> Sides<'a> {
             }
         }
     }
-}
-
-/// How many of the vertices after `p` lie in the same region; inside, up to one that repeats the one before.
-fn length_of_run(window: &Window, p: DVec2, code: Outcode, after: &[DVec2]) -> usize {
-    let mut before = p;
-    let in_run = |&q: &DVec2| {
-        let go_on = outcode(window, q) == code && (q != before || !code.is_inside());
-        before = q;
-        go_on
-    };
-    let mut in_run = in_run;
-    after.iter().position(|q| !in_run(q)).unwrap_or(after.len())
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use ombra_math::double_double::{DoubleDouble, UNIT_ROUNDOFF};
-use ombra_math::exact::{Sum, dot};
+use ombra_math::exact::{Sum, dot, relative};
 use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::homogeneous::point;
 use ombra_math::plane::Plane;
@@ -21,7 +21,8 @@ use ombra_math::work::{Count, Counter};
 /// t > 1        BeyondLight      the light is between vertex and plane
 /// ```
 ///
-/// For a light at infinity, S(t) = V − t L meets it at t = (n·V + d) / (n·L): t ≥ 0 casts, t < 0 is behind.
+/// For a light at infinity, S(t) = V − t L meets it at t = (n·V + d) / (n·L): t ≥ 0 casts, t < 0 is behind. (The
+/// decks' two t run opposite ways: V − L points away from a light at a place, L towards one at infinity.)
 ///
 /// # References
 ///
@@ -36,7 +37,7 @@ pub enum Placement {
     LevelWithLight,
     /// Farther from the plane than the light.
     BeyondLight,
-    /// The light shines along the plane, or lies on it: nothing is lit, and nothing casts.
+    /// The light shines along the plane, or lies on it: the plane is not lit, and nothing casts.
     LightAlongPlane,
 }
 
@@ -327,17 +328,7 @@ pub(super) fn heights_below_light(plane: Plane, light: DVec4, polygon: &[DVec3])
         .iter()
         .map(|&v| denominator(plane, light, v).to_scaled())
         .collect();
-    let exponents = heights.iter().filter(|(f, _)| *f != 0.0).map(|&(_, e)| e);
-    let top = exponents.max().unwrap_or(0);
-    let relative = |&(f, e): &(f64, i32)| {
-        let height = libm::scalbn(f, e - top);
-        if height == 0.0 && f != 0.0 {
-            f64::from_bits(1).copysign(f)
-        } else {
-            height
-        }
-    };
-    heights.iter().map(relative).collect()
+    relative(&heights)
 }
 
 /// The direction from the light's place to `v`, of any length that keeps its digits.

@@ -23,7 +23,7 @@ pub enum PlanarShadowError {
     NoPlane(Plane),
     /// The light shines along the plane, or lies on it.
     LightAlongPlane(DVec4),
-    /// An entry of the matrix is beyond the largest double.
+    /// The direction is so low that L_x/L_y or L_z/L_y is beyond the largest double.
     TooLarge(DVec4),
 }
 
@@ -46,7 +46,7 @@ impl fmt::Display for PlanarShadowError {
                 write!(f, "the light {l} shines along the plane or lies on it; it must be off the plane")
             }
             Self::TooLarge(l) => {
-                write!(f, "the matrix of the light {l} would exceed the largest double; use a smaller multiple")
+                write!(f, "the direction {l} is too low: L_x/L_y or L_z/L_y exceeds the largest double; use shadow_matrix")
             }
         }
     }
@@ -73,14 +73,16 @@ impl core::error::Error for PlanarShadowError {}
 ///   vertices on the light's side of the plane, and clipping keeps them: clip away n·V + d < 0 (on the light's side:
 ///   positive) and w ≤ 0, and no false shadow is left.
 /// - M L = 0, and M V = s V for V on the plane.
-/// - The diagonal is summed without the term that cancels. Each entry is within 2ε of its terms.
+/// - The diagonal is summed without the term that cancels. Each entry is within 2ε of its terms, or
+///   in a scaled matrix within the last place of a subnormal.
 /// - A matrix with an entry that would overflow, or underflow and lose digits, is scaled by a power of two (as a
 ///   homogeneous matrix it is the same).
 ///
 /// # Pitfalls
 ///
-/// - A slide prints the transpose: Lπᵀ has the rows L_x (a, b, c, d), L_y (a, b, c, d), …; what it shows is what a
-///   column-major array of those rows looks like. Another has one entry wrong and stands for row vectors.
+/// - Bologna's slide prints the transpose (erratum E1): Lπᵀ has the rows L_x (a, b, c, d), L_y (a, b, c, d), …; what it shows is what a
+///   column-major array of those rows looks like. Olomouc's has one entry wrong and stands for row
+///   vectors (E2).
 /// - A slide's w is y_P − y_L, negative for every true shadow: clipping then throws them all away.
 /// - Divide by w, and only after clipping.
 /// - M V loses the digits that cancel: see the [module's](super) page.

@@ -16,7 +16,7 @@ use super::exact_cast::towards_place;
 ///
 /// # Properties
 ///
-/// The nearest double where the products are exact, as for the lectures' integers. In general the error of P_j is up to
+/// The nearest double where products and sums are exact, as for the lectures' integers. In general the error of P_j is up to
 ///
 /// ```text
 /// 3ε (S |V_j| + T |L_j| + (S + T |L_w|) |P_j|) / |s − L_w t| + ½ ε |P_j|        S = Σ|π_i L_i|,  T = Σ|n_i V_i| + |d|
@@ -76,8 +76,8 @@ pub fn cast_by_quotient_counted(
 ///
 /// # Properties
 ///
-/// k is rounded before it is used, so the result is not the nearest double even for the lectures' integers: within
-/// 2ε |P|, which is up to 3 last places, for the slides' cube. The error grows with the light's distance, ε |k (V − L)|: far lights lose the most.
+/// k is rounded before it is used, so the result is not the nearest double even for the lectures' integers: for the
+/// slides' cube it is within 2ε |P|, which is up to 3 last places. `None` also where L/L_w is beyond the largest double. The error grows with the light's distance, ε |k (V − L)|: far lights lose the most.
 ///
 /// # Examples
 ///
@@ -187,7 +187,7 @@ mod tests {
     const FORMS: [Form; 2] = [cast_by_quotient, cast_by_parameter];
 
     proptest! {
-        /// Far from any cancellation both forms are good: the stated bound, against the correctly rounded answer.
+        /// Far from any cancellation both forms are good: a bound of this scene, against the correctly rounded answer.
         #[test]
         fn ordinary_scenes(x in prop::array::uniform3(-10.0..10.0f64), h in 0.0..10.0f64,
                            l in prop::array::uniform3(-10.0..10.0f64), w in 0u8..2) {

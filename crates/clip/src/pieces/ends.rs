@@ -1,0 +1,221 @@
+//! Where the polygon's boundary crosses the window's border, and in which order along it.
+
+use core::cmp::Ordering;
+
+use ombra_math::exact::Sum;
+use ombra_math::glam::DVec2;
+
+use crate::cohen_sutherland::Outcode;
+use crate::crossing::{compare_exactly, cut_in_window};
+use crate::segment::Segment;
+use crate::window::{Line, Side, Window};
+
+/// Where a chain meets the border.
+#[derive(Clone, Copy)]
+pub(super) struct End {
+    /// The nearest double.
+    pub(super) point: DVec2,
+    /// The side on the way counter-clockwise from `min`, 0 to 3; a corner belongs to the side that starts there.
+    pub(super) side: u8,
+    /// An entry; otherwise an exit.
+    pub(super) is_entry: bool,
+    /// The edge crosses the side at an inner point; otherwise `point` is exact.
+    is_crossing: bool,
+    /// The number of its edge, and of its chain.
+    edge: usize,
+    pub(super) chain: usize,
+}
+
+/// The region of `p` with the border counted as outside: 0000 only strictly inside.
+#[inline]
+pub(super) fn strict_code(window: &Window, p: DVec2) -> Outcode {
+    let bit = |is: bool, code: Outcode| if is { code } else { Outcode::INSIDE };
+    bit(p.y >= window.max.y, Outcode::ABOVE)
+        | bit(p.y <= window.min.y, Outcode::BELOW)
+        | bit(p.x >= window.max.x, Outcode::RIGHT)
+        | bit(p.x <= window.min.x, Outcode::LEFT)
+}
+
+/// A polygon and the window's border that it crosses.
+#[derive(Clone, Copy)]
+pub(super) struct Border<'a> {
+    pub(super) window: &'a Window,
+    pub(super) polygon: &'a [DVec2],
+}
+
+impl Border<'_> {
+    /// The edge, on its way into the window.
+    fn inwards(self, edge: usize, is_entry: bool) -> Segment {
+        let vertex = |i: usize| self.polygon.get(i).or(self.polygon.first());
+        let a = vertex(edge).copied().unwrap_or_default();
+        let b = vertex(edge + 1).copied().unwrap_or_default();
+        let edge = Segment::new(a, b);
+        if is_entry { edge } else { edge.reversed() }
+    }
+
+    /// Where an edge enters the inside of the window, or leaves it; `None` if it only touches. It must not lie beyond
+    /// or along one side.
+    pub(super) fn end(self, edge: usize, is_entry: bool, chain: usize) -> Option<End> {
+        let window = self.window;
+        let inwards = self.inwards(edge, is_entry);
+        let Segment { a, b } = inwards;
+        let end = |point, side, is_crossing| End {
+            point,
+            side,
+            is_entry,
+            is_crossing,
+            edge,
+            chain,
+        };
+        if window.contains(a) {
+            return Some(end(a, side_of(window, a), false));
+        }
+        let (side, point) = Side::ALL
+            .into_iter()
+            .filter(|&side| window.is_beyond(side, a))
+            .find_map(|side| Some((side, cut_in_window(window, inwards, window.line(side))?)))?;
+        let line = window.line(side);
+        let (along, low, high) = match line {
+            Line::Vertical(_) => (point.y, window.min.y, window.max.y),
+            Line::Horizontal(_) => (point.x, window.min.x, window.max.x),
+        };
+        let at_corner = (along == low || along == high)
+            && compare_exactly(inwards, line, along) == Ordering::Equal;
+        if at_corner {
+            let goes_in = (strict_code(window, point) & strict_code(window, b)).is_inside();
+            return goes_in.then(|| end(point, side_of(window, point), false));
+        }
+        let side = match side {
+            Side::Below => 0,
+            Side::Right => 1,
+            Side::Above => 2,
+            Side::Left => 3,
+        };
+        Some(end(point, side, true))
+    }
+
+    /// Puts ends in their order along the border; of an edge out and the same edge back in, exits or entries first.
+    pub(super) fn sort(self, ends: &mut Vec<End>, entries_first: bool) {
+        // By rounded position first, which integers compare fastest; then, where those are equal, exactly.
+        let mut ranks: Vec<u128> = ends
+            .iter()
+            .enumerate()
+            .map(|(i, end)| {
+                let along = u128::from(ordered_bits(end.along()));
+                u128::from(end.side) << 126 | along << 62 | i as u128
+            })
+            .collect();
+        ranks.sort_unstable();
+        let number = |rank: u128| (rank & ((1 << 62) - 1)) as usize;
+        let mut sorted: Vec<End> = Vec::with_capacity(ends.len());
+        sorted.extend(ranks.iter().filter_map(|&rank| ends.get(number(rank))));
+        let same_place = |e: &End, f: &End| e.side == f.side && e.along() == f.along();
+        for group in sorted.chunk_by_mut(same_place) {
+            if group.len() > 1 {
+                group.sort_by(|e, f| {
+                    let kind = e.is_entry.cmp(&f.is_entry);
+                    let kind = if entries_first { kind.reverse() } else { kind };
+                    self.exact_order(e, f)
+                        .then_with(|| self.order_of_directions(e, f))
+                        .then(kind)
+                });
+            }
+        }
+        *ends = sorted;
+    }
+
+    /// The order of two ends on one side whose points are the same double.
+    fn exact_order(self, e: &End, f: &End) -> Ordering {
+        let window = self.window;
+        let (line, limit, turned) = match e.side {
+            0 => (Line::Horizontal(window.min.y), e.point.x, false),
+            1 => (Line::Vertical(window.max.x), e.point.y, false),
+            2 => (Line::Horizontal(window.max.y), e.point.x, true),
+            _ => (Line::Vertical(window.min.x), e.point.y, true),
+        };
+        let edge = |end: &End| self.inwards(end.edge, true);
+        let order = match (e.is_crossing, f.is_crossing) {
+            (false, false) => Ordering::Equal,
+            (true, false) => compare_exactly(edge(e), line, limit),
+            (false, true) => compare_exactly(edge(f), line, limit).reverse(),
+            (true, true) => order_of_crossings(edge(e), edge(f), line),
+        };
+        if turned { order.reverse() } else { order }
+    }
+
+    /// Of two ends at one point, the one whose edge leans back more is met first just inside the border.
+    fn order_of_directions(self, e: &End, f: &End) -> Ordering {
+        let [d, g] = [e, f].map(|end| self.inwards(end.edge, end.is_entry));
+        // (g.b − g.a) × (d.b − d.a), positive where d leans back more.
+        let cross = [(g, d, 1.0), (d, g, -1.0)].map(|(u, v, sign)| {
+            [
+                [sign * u.b.x, v.b.y, 1.0],
+                [-sign * u.b.x, v.a.y, 1.0],
+                [-sign * u.a.x, v.b.y, 1.0],
+                [sign * u.a.x, v.a.y, 1.0],
+            ]
+        });
+        let sign = Sum::of(&cross.concat()).sign();
+        sign.unwrap_or(Ordering::Equal).reverse()
+    }
+}
+
+impl End {
+    /// The position along its side, on the way counter-clockwise.
+    fn along(&self) -> f64 {
+        match self.side {
+            0 => self.point.x,
+            1 => self.point.y,
+            2 => -self.point.x,
+            _ => -self.point.y,
+        }
+    }
+}
+
+/// The side of a point on the border; of a corner, the one that starts there.
+fn side_of(window: &Window, p: DVec2) -> u8 {
+    let (right, left) = (p.x == window.max.x, p.x == window.min.x);
+    let (above, below) = (p.y == window.max.y, p.y == window.min.y);
+    match (below, right, above, left) {
+        (true, false, ..) => 0,
+        (_, true, false, _) => 1,
+        (_, _, true, false) => 2,
+        _ => 3,
+    }
+}
+
+/// An integer that compares as the number does, 0 and −0 alike.
+fn ordered_bits(x: f64) -> u64 {
+    let bits = (x + 0.0).to_bits();
+    if bits >> 63 == 0 {
+        bits | 1 << 63
+    } else {
+        !bits
+    }
+}
+
+/// Which of two edges crosses `line` first along it.
+///
+/// ```text
+/// sign of N₁ D₂ − N₂ D₁,  y = N / D,  N = y_a (x_b − c) + y_b (c − x_a),  D = x_b − x_a > 0
+/// ```
+fn order_of_crossings(e: Segment, f: Segment, line: Line) -> Ordering {
+    let coordinates = |s: Segment| {
+        let (c, a, b) = match line {
+            Line::Vertical(x) => (x, [s.a.x, s.a.y], [s.b.x, s.b.y]),
+            Line::Horizontal(y) => (y, [s.a.y, s.a.x], [s.b.y, s.b.x]),
+        };
+        if a[0] < b[0] { (c, a, b) } else { (c, b, a) }
+    };
+    let mut sum = Sum::default();
+    for (first, second, sign) in [(e, f, 1.0), (f, e, -1.0)] {
+        let ((c, a, b), (_, p, q)) = (coordinates(first), coordinates(second));
+        for d in [q[0], -p[0]] {
+            sum.add([sign * a[1], b[0], d]);
+            sum.add([-sign * a[1], c, d]);
+            sum.add([sign * b[1], c, d]);
+            sum.add([-sign * b[1], a[0], d]);
+        }
+    }
+    sum.sign().unwrap_or(Ordering::Equal)
+}
