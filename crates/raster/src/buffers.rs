@@ -172,7 +172,7 @@ fn allowed_pixels(width: u32, height: u32, pixel_bytes: usize) -> Option<usize> 
     (bytes <= MAX_BYTES).then_some(pixels as usize)
 }
 
-/// Writes `pixel` into every pixel of `spans`, a run at a time.
+/// Writes `pixel` into every pixel of `spans`, a run at a time. A span without pixels paints none, wherever it lies.
 ///
 /// # Errors
 ///
@@ -204,8 +204,11 @@ pub fn paint<P: Pixel>(
     let channels = usize::from(P::CHANNEL_COUNT);
     let row_length = width as usize * channels;
     for Span { y, x } in spans {
-        let start = y as usize * row_length;
+        if x.is_empty() {
+            continue;
+        }
         let run = if x.end <= width && y < height {
+            let start = y as usize * row_length;
             values.get_mut(start + x.start as usize * channels..start + x.end as usize * channels)
         } else {
             None
