@@ -295,13 +295,10 @@ pub(crate) fn between(s0: [f64; 2], s1: [f64; 2], y: [f64; 2]) -> f64 {
 pub(crate) fn between_products(s0: &[[f64; 2]], s1: &[[f64; 2]], y: [f64; 2]) -> f64 {
     let ((d0, e0), (d1, e1)) = (sum_of(s0), sum_of(s1));
     let slack = SLACK + 8.0 * (e0 / d0.hi.abs() + e1 / d1.hi.abs());
-    // Half of the digits must be left for the slack to mean what it says.
-    if slack < UNIT_ROUNDOFF
-        && let Some(y) = rounded(-d0, d1 - d0, y, slack)
-    {
-        return y + 0.0;
+    match rounded(-d0, d1 - d0, y, slack) {
+        Some(y) => y + 0.0,
+        None => exact(s0, s1, y),
     }
-    exact(s0, s1, y)
 }
 
 /// A sum of products with a bound of its error; the bound is infinite out of the range of [`DoubleDouble`].

@@ -97,8 +97,8 @@ fn entry(
         }
         inside = false;
         let reaches = orient_2d(p, q, b)? != outside;
-        let (left, right) = (orient_2d(a, b, p)?, orient_2d(a, b, q)?);
-        let passes_between = left != right || left == Ordering::Equal;
+        // Both on the line is no case: a would be on it, not outside.
+        let passes_between = orient_2d(a, b, p)? != orient_2d(a, b, q)?;
         if reaches && passes_between {
             work.add(Counter::Divisions, 1);
             return Some(crossing(segment, p, q));

@@ -462,7 +462,12 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(3000))]
 
         #[test]
-        fn segments_are_nearest_doubles(a in position(), b in position()) {
+        fn segments_are_nearest_doubles(a in position(), b in position(), through in prop::array::uniform3(-1i32..2), i in -2i64..3, kind in 0u8..3) {
+            // Two times in three through a corner, an edge or a face of the volume, or next to that.
+            let [x, y, z] = through.map(f64::from);
+            let beyond = DVec4::new(x, y, z, 1.0) * 2.0 - a;
+            let beyond = DVec4::new(beside(beyond.x, i), beyond.y, beyond.z, beyond.w);
+            let b = if kind > 0 && beyond.is_finite() { beyond } else { b };
             let expected = oracle::interval(&sides(a, b));
             let clipped = clip_segment([a, b]);
             let Some(t) = expected else {

@@ -19,7 +19,7 @@
 //! | [`pieces`] | polygon: separate parts of a concave one |
 //!
 //! The same question has the same signature, so that answers can be exchanged: `direct::clip_segment`,
-//! `cohen_sutherland::clip_segment`, `liang_barsky::clip_segment`. Each has a `clip_…_counted`, which counts its work.
+//! `cohen_sutherland::clip_segment`, `liang_barsky::clip_segment`. Those have a `clip_segment_counted`, which counts its work.
 
 pub mod box3;
 pub mod cohen_sutherland;

@@ -412,17 +412,52 @@ mod tests {
 
     #[test]
     fn two_edges_through_one_double() {
-        // Both long edges of a needle cross x = 10 within an ulp of (10, 5): which of them is above decides.
+        // Two lobes on stalks that all cross y = 0 within half an ulp u of (5, 0): at −3/8, −1/8, 3/32 and 7/32 u. By the
+        // directions of the stalks alone the lobes would be taken for one.
         let w = lecture();
-        let e = 1e-18;
-        let needle = points([
-            (0.0, 4.0),
-            (20.0, 6.0 - e),
-            (20.0, 6.0 + 8.0 * f64::EPSILON),
+        let u = 8.0 * f64::EPSILON / 2.0;
+        let x = |ulps: f64| 5.0 + ulps * u;
+        let lobes = points([
+            (x(-2.0), -15.0),
+            (5.0, 1.0),
+            (4.0, 4.0),
+            (1.0, 4.0),
+            (1.0, 1.5),
+            (x(-1.0), 1.0),
+            (x(9.0), -15.0),
+            (x(-24.0), -15.5),
+            (x(1.0), 0.5),
+            (9.0, 0.6),
+            (9.0, 4.0),
+            (6.0, 4.0),
+            (5.0, 0.5),
+            (x(3.0), -15.5),
         ]);
-        let pieces = clip_polygon(&w, &needle);
-        assert_eq!(pieces.len(), 1);
-        assert!(pieces[0].iter().all(|&p| w.contains(p)));
+        let mut one = lobes[1..6].to_vec();
+        one.insert(0, DVec2::new(5.0, 0.0));
+        let mut other = lobes[8..13].to_vec();
+        other.insert(0, DVec2::new(5.0, 0.0));
+        assert_eq!(clip_polygon(&w, &lobes), [one, other]);
+    }
+
+    #[test]
+    fn touching_itself_and_the_border() {
+        let w = lecture();
+        // A slit from outside into the polygon has no width, and leaves no trace.
+        let mut slit = points([
+            (-5.0, -5.0),
+            (15.0, -5.0),
+            (15.0, 15.0),
+            (-5.0, 15.0),
+            (-5.0, 5.0),
+            (5.0, 5.0),
+            (-5.0, 5.0),
+        ]);
+        let mut corners = w.corners();
+        assert_eq!(clip_polygon(&w, &slit), [corners]);
+        slit.reverse();
+        corners.reverse();
+        assert_eq!(clip_polygon(&w, &slit), [corners]);
         // A reflex corner on the border parts two pieces that touch there.
         let m = points([(1.0, -5.0), (9.0, -5.0), (9.0, 5.0), (5.0, 0.0), (1.0, 5.0)]);
         let parts = clip_polygon(&w, &m);
