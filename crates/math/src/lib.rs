@@ -11,6 +11,7 @@
 //! | [`triangle`] | normal, area, barycentric coordinates |
 //! | [`spherical`] | r, θ, φ and solid angles |
 //! | [`view`] | look-at, frustum and its limit, orthographic, viewport |
+//! | [`camera`] | eye, sight lines and pixels of one matrix |
 //! | [`mesh`] | indexed triangles, edges with their faces, vertex normals |
 //! | [`solids`] | the lectures' cube, tetrahedron, sphere, torus, teapot |
 //! | [`predicates`] | orientation of points, exact at every exponent |
@@ -20,6 +21,7 @@
 
 pub use glam;
 
+pub mod camera;
 pub mod double_double;
 pub mod exact;
 pub mod homogeneous;

@@ -95,8 +95,12 @@ counters! {
     depth_tests DepthTests "depth tests";
     /// Operations on a stencil buffer.
     stencil_ops StencilOps "stencil operations";
+    /// Pairs of primitives compared with each other.
+    pairs Pairs "pairs";
     /// Rays cast.
     rays Rays "rays";
+    /// Intersections of a ray with the plane of a primitive.
+    intersections Intersections "intersections";
     /// Samples a filter reads.
     taps Taps "filter taps";
     /// Texels read.
@@ -153,7 +157,7 @@ mod tests {
         }
         assert_eq!(
             (work.fragments, work.depth_tests, work.exact_fallbacks),
-            (1, 2, 14)
+            (1, 2, 16)
         );
     }
 
