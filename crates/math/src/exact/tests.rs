@@ -1,0 +1,148 @@
+use super::*;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use proptest::prelude::*;
+
+fn rational(terms: &[[f64; 3]]) -> BigRational {
+    terms
+        .iter()
+        .map(|t| {
+            t.iter()
+                .map(|&x| BigRational::from_float(x).unwrap())
+                .product::<BigRational>()
+        })
+        .sum()
+}
+
+/// Brute force: no double is nearer to `exact` than `x`, and on a tie x is even.
+fn is_nearest(x: f64, exact: &BigRational) -> bool {
+    let zero = BigRational::from_integer(BigInt::from(0));
+    let distance = |y: f64| {
+        // Beyond the largest double, ∞ stands for 2¹⁰²⁴.
+        let y = if y.is_infinite() {
+            BigRational::from_float(f64::MAX).unwrap() * BigInt::from(y.signum() as i32)
+                + BigRational::from_float(libm::scalbn(y.signum(), 970)).unwrap() * BigInt::from(2)
+        } else {
+            BigRational::from_float(y).unwrap()
+        };
+        let d = y - exact;
+        if d < zero { -d } else { d }
+    };
+    let d = distance(x);
+    if x.is_infinite() {
+        return d <= distance(f64::MAX.copysign(x)) || {
+            let beyond = if *exact < zero {
+                -exact.clone()
+            } else {
+                exact.clone()
+            };
+            beyond > BigRational::from_float(f64::MAX).unwrap()
+        };
+    }
+    [x.next_up(), x.next_down()].into_iter().all(|y| {
+        let e = distance(y);
+        d < e || (d == e && x.to_bits() & 1 == 0)
+    })
+}
+
+/// Any finite double, every exponent alike, often with few significant bits so that ties happen.
+fn finite() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        3 => proptest::num::f64::ANY.prop_filter("finite", |x| x.is_finite()),
+        1 => (-1i32..=1, -1074i32..=1023, 0u32..8).prop_map(|(s, e, m)| {
+            libm::scalbn(f64::from(s) * (1.0 + f64::from(m) / 8.0), e)
+        }),
+        1 => (-100i32..100).prop_map(f64::from),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    #[test]
+    fn sign_and_rounding_are_exact(terms in prop::collection::vec([finite(), finite(), finite()], 0..6)) {
+        let (sum, exact) = (Sum::of(&terms), rational(&terms));
+        let zero = BigRational::from_integer(BigInt::from(0));
+        prop_assert_eq!(sum.sign(), Some(exact.cmp(&zero)));
+        let x = sum.to_f64();
+        prop_assert!(is_nearest(x, &exact), "{x:e}");
+        let (f, e) = sum.to_scaled();
+        let unit = if e >= 0 {
+            BigRational::from_integer(BigInt::from(1) << e as usize)
+        } else {
+            BigRational::new(BigInt::from(1), BigInt::from(1) << (-e) as usize)
+        };
+        prop_assert!(f == 0.0 || (1.0..2.0).contains(&f.abs()));
+        prop_assert!(is_nearest(f, &(exact / unit)), "{f:e}");
+    }
+
+    #[test]
+    fn quotients_are_nearest(a in prop::collection::vec([finite(), finite(), finite()], 1..5),
+                             b in prop::collection::vec([finite(), finite(), finite()], 1..5)) {
+        let (n, d) = (rational(&a), rational(&b));
+        prop_assume!(d != BigRational::from_integer(BigInt::from(0)));
+        let q = Sum::of(&a).quotient(&Sum::of(&b));
+        prop_assert!(is_nearest(q, &(n / d)), "{q:e}");
+    }
+
+    #[test]
+    fn one_over_another_is_the_hardware_quotient(a in finite(), b in finite()) {
+        prop_assume!(b != 0.0);
+        prop_assert_eq!(Sum::of(&[[a, 1.0, 1.0]]).quotient(&Sum::of(&[[b, 1.0, 1.0]])), a / b);
+    }
+
+    #[test]
+    fn one_product_of_two_is_the_hardware_product(a in finite(), b in finite()) {
+        prop_assert_eq!(Sum::of(&[[a, b, 1.0]]).to_f64(), a * b);
+    }
+}
+
+proptest! {
+    #[test]
+    fn dots_have_the_sign_and_an_epsilon(a in [finite(), finite(), finite(), finite()],
+                                         b in [finite(), finite(), finite(), finite()], near in any::<bool>()) {
+        let mut b = b;
+        if near {
+            let rest = -(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / a[3];
+            if rest.is_finite() {
+                b[3] = rest;
+            }
+        }
+        let terms: Vec<_> = a.iter().zip(&b).map(|(&x, &y)| [x, y, 1.0]).collect();
+        let expected = rational(&terms);
+        let (f, e) = dot(DVec4::from_array(a), DVec4::from_array(b));
+        let zero = BigRational::from_integer(BigInt::from(0));
+        prop_assert_eq!(f.partial_cmp(&0.0), Some(expected.cmp(&zero)));
+        let two = BigRational::from_integer(BigInt::from(2));
+        let error = BigRational::from_float(f).unwrap() * two.pow(e) - &expected;
+        let bound = BigRational::from_float(f64::EPSILON).unwrap() * &expected;
+        prop_assert!(&error * &error <= &bound * &bound);
+    }
+}
+
+#[test]
+fn huge_cancels_and_tiny_remains() {
+    let tiny = [5e-324, 5e-324, -5e-324];
+    let sum = Sum::of(&[[f64::MAX; 3], tiny, [-f64::MAX, f64::MAX, f64::MAX]]);
+    assert_eq!(sum.sign(), Some(Ordering::Less));
+    assert_eq!(sum.to_f64(), 0.0);
+    assert_eq!(sum.to_scaled(), (-1.0, LOWEST));
+}
+
+#[test]
+fn degenerate() {
+    let one = Sum::of(&[[1.0; 3]]);
+    assert_eq!(Sum::of(&[]).sign(), Some(Ordering::Equal));
+    assert_eq!(Sum::of(&[]).to_f64(), 0.0);
+    assert_eq!(Sum::of(&[]).to_scaled(), (0.0, 0));
+    assert_eq!(Sum::of(&[[f64::MAX; 3]]).to_f64(), f64::INFINITY);
+    assert_eq!(Sum::of(&[]).quotient(&one), 0.0);
+    assert!(one.quotient(&Sum::of(&[])).is_nan());
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let sum = Sum::of(&[[1.0, bad, 0.0]]);
+        assert_eq!(sum.sign(), None);
+        assert!(
+            sum.to_f64().is_nan() && sum.quotient(&one).is_nan() && one.quotient(&sum).is_nan()
+        );
+    }
+}
