@@ -20,23 +20,25 @@
 //! # Ok::<(), ombra_figures::error::FigureError>(())
 //! ```
 
-use core::convert::Infallible;
-use core::ops::Range;
+mod axes;
+mod curve;
+mod span;
+mod strokes;
 
 use ombra_math::glam::DVec2;
 use plotters::prelude::*;
-use plotters_backend::{BackendColor, BackendCoord, BackendStyle, DrawingErrorKind};
 
+use self::curve::{curve, mark};
+use self::span::Span;
+use self::strokes::{Strokes, hundredths};
 use crate::colour::{Ink, Role};
-use crate::drawing::{Drawing, EMPHASIS, NORMAL, Pen, THIN};
+use crate::drawing::{Drawing, EMPHASIS, NORMAL, Pen};
 use crate::error::FigureError;
 use crate::marks::DOT;
-use crate::number::decimal;
-use crate::number::round_step;
-use crate::path::{Path, Rect};
-use crate::sheet::{Align, Label, Sheet};
+use crate::path::Path;
+use crate::sheet::{Label, Sheet};
 use crate::style::Style;
-use crate::text::{LABEL, Line, NOTE};
+use crate::text::NOTE;
 
 /// How values lie along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,8 +142,9 @@ impl Chart {
                 .flat_map(|series| &series.points)
                 .chain(front.iter().map(|(_, p)| p))
         };
-        let x = Span::new(&self.x, every().map(|p| p.0))?;
-        let y = Span::new(&self.y, every().map(|p| p.1))?;
+        // A curve may begin on the upright axis, single points may not.
+        let x = Span::new(&self.x, every().map(|p| p.0), self.pareto.is_some())?;
+        let y = Span::new(&self.y, every().map(|p| p.1), true)?;
 
         let area = self.area(sheet, &y)?;
         let canvas = sheet.frame().max + sheet.frame().min;
@@ -211,7 +214,7 @@ impl Chart {
             .flat_map(|(a, b)| [*a, DVec2::new(b.x, a.y)]);
         let mut staircase: Vec<DVec2> = corners.collect();
         staircase.extend(steps.last());
-        sheet.stroke_unmarked(
+        sheet.stroke(
             Path::polyline(&staircase),
             Pen::new(Ink::of(Role::Chosen).tint(0.5), EMPHASIS),
         );
@@ -245,336 +248,6 @@ impl Chart {
         let mut front = self.pareto.clone().unwrap_or_default();
         front.sort_by(|a, b| a.1.0.total_cmp(&b.1.0).then(b.1.1.total_cmp(&a.1.1)));
         front
-    }
-
-    /// Where curves lie: the frame without ticks, titles and the labels at the curves' ends.
-    fn area(&self, sheet: &Sheet, y: &Span) -> Result<Rect, FigureError> {
-        let frame = sheet.frame();
-        let mut area = frame;
-        area.min.x += widest(y.ticks.iter().map(|tick| tick.text.as_str()), NOTE)? + 18.0;
-        area.max.x -= widest(self.series.iter().map(|series| series.name.as_str()), LABEL)? + 36.0;
-        area.min.y += 1.9 * LABEL;
-        area.max.y -= 1.6 * NOTE + 1.6 * LABEL;
-        if area.size().cmpgt(DVec2::splat(200.0)).all() {
-            Ok(area)
-        } else {
-            Err(FigureError::Chart {
-                reason: format!(
-                    "the chart {} has no room beside its labels on this canvas",
-                    self.id
-                ),
-            })
-        }
-    }
-
-    fn draw_axes(
-        &self,
-        sheet: &mut Sheet,
-        area: Rect,
-        (x, ticks_x): (&Span, &[DVec2]),
-        (y, ticks_y): (&Span, &[DVec2]),
-    ) -> Result<(), FigureError> {
-        let mut grid = Path::new();
-        for p in ticks_x {
-            grid.add_polyline(&[DVec2::new(p.x, area.min.y), DVec2::new(p.x, area.max.y)]);
-        }
-        for p in ticks_y {
-            grid.add_polyline(&[DVec2::new(area.min.x, p.y), DVec2::new(area.max.x, p.y)]);
-        }
-        sheet.stroke(grid, Pen::new(Role::Grid, THIN));
-        let corner = DVec2::new(area.min.x, area.max.y);
-        sheet.stroke(
-            Path::polyline(&[area.min, corner, area.max]),
-            Pen::new(Role::Axis, THIN),
-        );
-        for (tick, p) in x.ticks.iter().zip(ticks_x) {
-            sheet.text(
-                DVec2::new(p.x, area.max.y + 14.0),
-                Align::Below,
-                &tick.text,
-                NOTE,
-                Role::Note,
-            )?;
-        }
-        for (tick, p) in y.ticks.iter().zip(ticks_y) {
-            sheet.text(
-                DVec2::new(area.min.x - 12.0, p.y),
-                Align::Right,
-                &tick.text,
-                NOTE,
-                Role::Note,
-            )?;
-        }
-        let below = DVec2::new(area.centre().x, sheet.frame().max.y);
-        sheet.text(below, Align::Above, &self.x.words(), LABEL, Role::Text)?;
-        let above = DVec2::new(sheet.frame().min.x, sheet.frame().min.y + 0.5 * LABEL);
-        sheet.text(above, Align::Left, &self.y.words(), LABEL, Role::Text)?;
-        Ok(())
-    }
-}
-
-/// The width of the widest of some labels.
-fn widest<'a>(mut texts: impl Iterator<Item = &'a str>, size: f64) -> Result<f64, FigureError> {
-    texts.try_fold(0.0_f64, |most, text| {
-        Ok(most.max(Line::new(text, size)?.width))
-    })
-}
-
-/// The colour of the n-th curve.
-fn curve(n: usize) -> u8 {
-    (n % 6) as u8
-}
-
-/// The mark of a curve's points: each curve has its own shape, so that a grey print still teaches.
-fn mark(sheet: &mut Sheet, at: DVec2, curve: u8) {
-    let r = 1.15 * DOT;
-    let corners = |offsets: &[(f64, f64)]| {
-        Path::polygon(
-            &offsets
-                .iter()
-                .map(|&(x, y)| at + DVec2::new(x, y) * r)
-                .collect::<Vec<_>>(),
-        )
-    };
-    let path = match curve {
-        0 | 5 => Path::circle(at, 0.95 * r),
-        1 => corners(&[(-0.85, -0.85), (0.85, -0.85), (0.85, 0.85), (-0.85, 0.85)]),
-        2 => corners(&[(0.0, -1.15), (1.1, 0.75), (-1.1, 0.75)]),
-        3 => corners(&[(0.0, -1.2), (1.2, 0.0), (0.0, 1.2), (-1.2, 0.0)]),
-        _ => corners(&[(0.0, 1.15), (1.1, -0.75), (-1.1, -0.75)]),
-    };
-    // The last of the six is hollow, since its shape is the first one's.
-    let inside = if curve == 5 {
-        Role::Paper
-    } else {
-        Role::Curve(curve)
-    };
-    sheet.avoid(&path);
-    sheet.fill_unmarked(path, inside, Pen::new(Role::Curve(curve), THIN));
-}
-
-#[derive(Debug)]
-struct Tick {
-    value: f64,
-    text: String,
-}
-
-/// What an axis shows.
-#[derive(Debug)]
-struct Span {
-    scale: Scale,
-    low: f64,
-    high: f64,
-    ticks: Vec<Tick>,
-}
-
-impl Span {
-    fn new(axis: &Axis, values: impl Iterator<Item = f64>) -> Result<Span, FigureError> {
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for value in values {
-            let shown =
-                value.is_finite() && (axis.scale == Scale::Linear || value >= f64::MIN_POSITIVE);
-            if !shown {
-                let allowed = match axis.scale {
-                    Scale::Linear => "finite numbers",
-                    Scale::Log => "finite numbers above 0",
-                };
-                return Err(FigureError::Chart {
-                    reason: format!(
-                        "{value} cannot be shown on the axis '{}': it takes {allowed}",
-                        axis.title
-                    ),
-                });
-            }
-            (low, high) = (low.min(value), high.max(value));
-        }
-        if low > high {
-            return Err(FigureError::Chart {
-                reason: format!(
-                    "the axis '{}' has no values: a chart is at least one point",
-                    axis.title
-                ),
-            });
-        }
-        let span = match axis.scale {
-            Scale::Linear => Span::linear(low, high),
-            Scale::Log => Span::log(low, high),
-        };
-        span.ok_or_else(|| FigureError::Chart {
-            reason: format!(
-                "the values {low} to {high} on the axis '{}' are too far apart to show",
-                axis.title
-            ),
-        })
-    }
-
-    /// Whole steps of 1, 2 or 5 times a power of ten.
-    fn linear(low: f64, high: f64) -> Option<Span> {
-        let widened = if low == high {
-            0.5 * low.abs().max(1.0)
-        } else {
-            0.0
-        };
-        let (low, high) = (low - widened, high + widened);
-        let step = round_step((high - low) / 6.0);
-        if step == 0.0 {
-            return None;
-        }
-        let (first, last) = ((low / step).floor(), (high / step).ceil());
-        if last - first > 20.0 {
-            return None;
-        }
-        let ticks = (0..=(last - first) as u32)
-            .map(|i| (first + f64::from(i)) * step)
-            .map(|value| Tick {
-                value,
-                text: decimal(value),
-            })
-            .collect();
-        Some(Span {
-            scale: Scale::Linear,
-            low: first * step,
-            high: last * step,
-            ticks,
-        })
-    }
-
-    /// Whole decades, every one labelled as long as there are few; 1, 2, 5 where there is only one or two.
-    fn log(low: f64, high: f64) -> Option<Span> {
-        let (mut first, mut last) = (decade(low), decade(high));
-        if power(1, last)? < high {
-            last += 1;
-        }
-        if first == last {
-            (first, last) = (first - 1, last + 1);
-        }
-        // The highest label is at the upper end, like the lowest at the lower.
-        let every = (last - first + 7) / 8;
-        last += (every - (last - first) % every) % every;
-        let digits: &[u32] = if last - first <= 2 { &[1, 2, 5] } else { &[1] };
-        // Near 1 as plain numbers, otherwise all as powers.
-        let plain = first >= -2 && last <= 4;
-        let mut ticks = Vec::new();
-        for exponent in (first..=last).filter(|e| (e - first) % every == 0) {
-            for &digit in digits {
-                if exponent == last && digit > 1 {
-                    break;
-                }
-                let text = match digit {
-                    _ if plain => decimal(power(digit, exponent)?),
-                    1 => format!("10^{{{}}}", format!("{exponent}").replace('-', "−")),
-                    _ => format!("{digit}·10^{{{}}}", format!("{exponent}").replace('-', "−")),
-                };
-                ticks.push(Tick {
-                    value: power(digit, exponent)?,
-                    text,
-                });
-            }
-        }
-        Some(Span {
-            scale: Scale::Log,
-            low: power(1, first)?,
-            high: power(1, last)?,
-            ticks,
-        })
-    }
-
-    /// Position along the axis in its own measure.
-    fn place(&self, value: f64) -> f64 {
-        match self.scale {
-            Scale::Linear => value,
-            Scale::Log => libm::log10(value),
-        }
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.place(self.low)..self.place(self.high)
-    }
-}
-
-/// The greatest k with 10ᵏ ≤ value, by the printed exponent, which is exact.
-fn decade(value: f64) -> i32 {
-    format!("{value:e}")
-        .split_once('e')
-        .and_then(|(_, e)| e.parse().ok())
-        .unwrap_or(0)
-}
-
-/// digit · 10ᵏ, the nearest double; none where there is no normal one.
-fn power(digit: u32, exponent: i32) -> Option<f64> {
-    let value: f64 = format!("{digit}e{exponent}").parse().ok()?;
-    value.is_normal().then_some(value)
-}
-
-/// Lengths of the display list as plotters' pixels.
-fn hundredths(length: f64) -> u32 {
-    (length * 100.0).round() as u32
-}
-
-/// plotters' backend: it collects lines; colours are numbers of curves.
-struct Strokes<'a> {
-    size: DVec2,
-    drawn: &'a mut Vec<(Path, u8, f64)>,
-}
-
-impl Strokes<'_> {
-    fn push(
-        &mut self,
-        points: impl IntoIterator<Item = BackendCoord>,
-        colour: BackendColor,
-        width: u32,
-    ) {
-        let points: Vec<DVec2> = points
-            .into_iter()
-            .map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)) / 100.0)
-            .collect();
-        self.drawn.push((
-            Path::polyline(&points),
-            colour.rgb.0,
-            f64::from(width) / 100.0,
-        ));
-    }
-}
-
-type Drawn = Result<(), DrawingErrorKind<Infallible>>;
-
-impl DrawingBackend for Strokes<'_> {
-    type ErrorType = Infallible;
-
-    fn get_size(&self) -> (u32, u32) {
-        (hundredths(self.size.x), hundredths(self.size.y))
-    }
-
-    fn ensure_prepared(&mut self) -> Drawn {
-        Ok(())
-    }
-
-    fn present(&mut self) -> Drawn {
-        Ok(())
-    }
-
-    fn draw_pixel(&mut self, point: BackendCoord, color: BackendColor) -> Drawn {
-        self.push([point, point], color, 1);
-        Ok(())
-    }
-
-    fn draw_line<S: BackendStyle>(
-        &mut self,
-        from: BackendCoord,
-        to: BackendCoord,
-        style: &S,
-    ) -> Drawn {
-        self.push([from, to], style.color(), style.stroke_width());
-        Ok(())
-    }
-
-    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
-        &mut self,
-        path: I,
-        style: &S,
-    ) -> Drawn {
-        self.push(path, style.color(), style.stroke_width());
-        Ok(())
     }
 }
 
@@ -615,6 +288,38 @@ mod tests {
         assert!(
             texts.contains(&"cost / ns") && texts.contains(&"error") && texts.contains(&"curve")
         );
+    }
+
+    #[test]
+    fn a_log_axis_lies_below_its_lowest_point_but_a_curve_may_begin_at_the_side() {
+        // 1.2 · 10⁻⁵ is 0.08 decades above 10⁻⁵, 1.6 · 10⁻⁵ is 0.2.
+        for (lowest, first) in [(1.2e-5, "10−6"), (1.6e-5, "10−5")] {
+            let points = vec![(1.0, lowest), (1e3, 0.3)];
+            let drawing = chart(points, Scale::Log).draw(&Style::default()).unwrap();
+            let texts = texts(&drawing);
+            assert_eq!(texts.contains(&"10−6"), first == "10−6", "{texts:?}");
+            assert!(texts.contains(&first) && !texts.contains(&"0.1"));
+        }
+        let mut single = chart(vec![(1.0, 1.0), (500.0, 9.0)], Scale::Log);
+        let starts_at_one = |chart: &Chart| {
+            let drawing = chart.draw(&Style::default()).unwrap();
+            !texts(&drawing).contains(&"0.1")
+        };
+        assert!(starts_at_one(&single));
+        single.pareto = Some(vec![]);
+        assert!(!starts_at_one(&single));
+    }
+
+    #[test]
+    fn an_axis_of_one_or_two_decades_begins_and_ends_within_them() {
+        let drawing = chart(vec![(0.4, 3.0), (1.3, 60.0)], Scale::Log)
+            .draw(&Style::default())
+            .unwrap();
+        let texts = texts(&drawing);
+        for tick in ["0.2", "0.5", "1", "2", "5", "10", "100"] {
+            assert!(texts.contains(&tick), "{tick} in {texts:?}");
+        }
+        assert!(!texts.contains(&"0.1") && !texts.contains(&"200"));
     }
 
     #[test]
@@ -703,7 +408,11 @@ mod tests {
             assert!(error.contains(says), "{error}");
         }
         // One point, and values at the ends of the range, are shown.
-        for points in [vec![(5.0, 5.0)], vec![(1e-300, 1.0), (1e300, 2.0)]] {
+        for points in [
+            vec![(5.0, 5.0)],
+            vec![(1e-300, 1.0), (1e300, 2.0)],
+            vec![(1.0, 1e-307), (2.0, 1e-306)],
+        ] {
             assert!(
                 chart(points.clone(), Scale::Log)
                     .draw(&Style::default())

@@ -18,12 +18,15 @@ use crate::path::{Path, Rect};
 use crate::section::Section;
 use crate::sheet::{Label, Sheet};
 
-pub(crate) const POINT_WINDOW: Figure = point_window::FIGURE;
-pub(crate) const SEGMENT_CASES: Figure = segment_cases::FIGURE;
-pub(crate) const OUTCODES: Figure = outcodes::FIGURE;
-pub(crate) const COHEN_SUTHERLAND_STEPS: Figure = cohen_sutherland::FIGURE;
-pub(crate) const SUTHERLAND_HODGMAN_STEPS: Figure = sutherland_hodgman::FIGURE;
-pub(crate) const POLYGON_CASES: Figure = polygon_cases::FIGURE;
+/// In the order of the lecture.
+pub(crate) const FIGURES: &[Figure] = &[
+    point_window::FIGURE,
+    segment_cases::FIGURE,
+    outcodes::FIGURE,
+    cohen_sutherland::FIGURE,
+    sutherland_hodgman::FIGURE,
+    polygon_cases::FIGURE,
+];
 
 /// A window on the canvas and the part of the plane shown around it.
 struct Board {

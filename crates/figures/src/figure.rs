@@ -1,5 +1,7 @@
 //! What a figure is, the list of all of them, and how they are chosen by name.
 
+use std::sync::LazyLock;
+
 use ombra_math::glam::DVec4;
 use ombra_math::plane::Plane;
 
@@ -35,6 +37,21 @@ pub struct Inputs {
 /// Puts a figure on a sheet.
 pub(crate) type Drawn = fn(&mut Sheet, &Inputs) -> Result<(), FigureError>;
 
+impl Inputs {
+    /// Whether the object is the lectures' cube, for want of another or by name.
+    pub(crate) fn is_cube(&self) -> bool {
+        self.mesh.as_ref().is_none_or(|mesh| mesh.name == "cube")
+    }
+}
+
+/// What a figure says of itself; with an instructor's own light or object, what is then drawn.
+pub(crate) struct Words {
+    /// One line for lists and for readers who cannot see the figure.
+    pub(crate) summary: Key,
+    /// One or two sentences below the figure.
+    pub(crate) caption: Key,
+}
+
 /// One figure.
 #[derive(Clone, Copy, Debug)]
 pub struct Figure {
@@ -42,20 +59,19 @@ pub struct Figure {
     pub id: &'static str,
     /// What it takes.
     pub takes: Takes,
-    pub(crate) summary: Key,
-    pub(crate) caption: Key,
+    pub(crate) words: fn(&Inputs) -> Words,
     pub(crate) drawn: Drawn,
 }
 
 impl Figure {
-    /// One line for lists.
-    pub fn summary(&self, language: Language) -> &'static str {
-        self.summary.text(language)
+    /// One line for lists on what `inputs` let it show.
+    pub fn summary(&self, inputs: &Inputs, language: Language) -> &'static str {
+        (self.words)(inputs).summary.text(language)
     }
 
-    /// One or two sentences set below the figure where the style asks for a caption.
-    pub fn caption(&self, language: Language) -> &'static str {
-        self.caption.text(language)
+    /// One or two sentences on it, set below the figure where the style asks for a caption.
+    pub fn caption(&self, inputs: &Inputs, language: Language) -> &'static str {
+        (self.words)(inputs).caption.text(language)
     }
 
     /// The lecture, `shadows` of `shadows/cube-infinity`.
@@ -77,44 +93,26 @@ impl Figure {
     /// [`FigureError::Scene`] when light, plane and object leave nothing to draw, [`FigureError::NoRoom`] when a label
     /// has no place.
     pub fn draw(&self, style: &Style, inputs: &Inputs) -> Result<Drawing, FigureError> {
-        let mut sheet = Sheet::new(style, self.caption(style.language))?;
+        let mut sheet = Sheet::new(style, self.caption(inputs, style.language))?;
         (self.drawn)(&mut sheet, inputs)?;
-        sheet.finish(self.id, self.summary(style.language))
+        sheet.finish(self.id, self.summary(inputs, style.language))
     }
 }
 
 /// All figures, by lecture in the order of the course.
 pub fn figures() -> &'static [Figure] {
-    use crate::{clip, math, raster, shadows};
-    &[
-        math::PLANE,
-        math::SPHERICAL,
-        math::FRUSTUM,
-        raster::CONTINUOUS_TO_DISCRETE,
-        raster::SEGMENT_SLOPES,
-        raster::DDA_ROUNDING,
-        raster::BRESENHAM_CHOICE,
-        raster::BRESENHAM_INCREMENTS,
-        raster::RECTANGLE,
-        raster::BRESENHAM_TRACE,
-        raster::POLYGON_KINDS,
-        raster::SCANLINE,
-        raster::TRIANGLE_SHARED_EDGE,
-        raster::SLIVER,
-        clip::POINT_WINDOW,
-        clip::SEGMENT_CASES,
-        clip::OUTCODES,
-        clip::COHEN_SUTHERLAND_STEPS,
-        clip::SUTHERLAND_HODGMAN_STEPS,
-        clip::POLYGON_CASES,
-        shadows::WHY,
-        shadows::SIMILAR_TRIANGLES,
-        shadows::CUBE_INFINITY,
-        shadows::CUBE_POINT,
-        shadows::ANY_PLANE,
-        shadows::FALSE_SHADOW,
-        shadows::FAKE,
-    ]
+    use crate::{clip, hsr, math, raster, shadows};
+    static ALL: LazyLock<Vec<Figure>> = LazyLock::new(|| {
+        let lectures = [
+            math::FIGURES,
+            raster::FIGURES,
+            clip::FIGURES,
+            hsr::FIGURES,
+            shadows::FIGURES,
+        ];
+        lectures.concat()
+    });
+    &ALL
 }
 
 /// The figures that `patterns` name, each an id or a lecture, in the order of [`figures`]; all when there is none.

@@ -3,16 +3,16 @@
 use core::fmt::Write as _;
 
 use crate::colour::Role;
-use crate::figure::Figure;
+use crate::figure::{Figure, Inputs};
 use crate::labels::Key;
 use crate::style::{Format, Style};
 use crate::svg::{LICENCE_URL, escaped};
 
 /// The page for `figures` written in `formats` beside it.
-pub fn gallery(figures: &[&Figure], style: &Style, formats: &[Format]) -> String {
+pub fn gallery(figures: &[&Figure], style: &Style, inputs: &Inputs, formats: &[Format]) -> String {
     let language = style.language;
     let colour = |role: Role| format!("#{:06x}", role.rgb(style.theme));
-    let title = escaped(Key::GalleryTitle.text(language));
+    let title = escaped(Key::GALLERY_TITLE.text(language));
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n<title>Ombra · {title}</title>\n<style>\n\
@@ -24,7 +24,7 @@ pub fn gallery(figures: &[&Figure], style: &Style, formats: &[Format]) -> String
         colour(Role::Paper),
         colour(Role::Text),
         colour(Role::Grid),
-        escaped(Key::GalleryLicence.text(language)),
+        escaped(Key::GALLERY_LICENCE.text(language)),
     );
     let mut lecture = "";
     for figure in figures {
@@ -35,7 +35,7 @@ pub fn gallery(figures: &[&Figure], style: &Style, formats: &[Format]) -> String
             lecture = figure.lecture();
             let _ = writeln!(page, "<h2>{lecture}</h2>\n<main>");
         }
-        let summary = escaped(figure.summary(language));
+        let summary = escaped(figure.summary(inputs, language));
         let best = formats
             .iter()
             .find(|&&format| format == Format::Svg)
@@ -82,12 +82,17 @@ mod tests {
                 language,
                 ..Style::default()
             };
-            let page = gallery(&all, &style, &[Format::Svg, Format::Png]);
+            let page = gallery(
+                &all,
+                &style,
+                &Inputs::default(),
+                &[Format::Svg, Format::Png],
+            );
             for figure in &all {
                 for format in Format::ALL {
                     assert!(page.contains(&format!("href=\"{}.{format}\"", figure.id)));
                 }
-                assert!(page.contains(&escaped(figure.summary(language))));
+                assert!(page.contains(&escaped(figure.summary(&Inputs::default(), language))));
             }
             // The licence's address is a link to follow, not a thing to load.
             let addresses = page.matches("http").count();

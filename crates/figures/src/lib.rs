@@ -34,8 +34,8 @@
 //!
 //! Lengths are thousandths of the canvas's shorter side, from the upper left corner, y down. A figure draws on a
 //! [`sheet::Sheet`], from the back to the front, in the ink of a [`colour::Role`], and asks for [`sheet::Label`]s,
-//! which find their places when it is finished. Add it to the list in [`figure::figures`] and its words to
-//! [`labels::Key`]; the tests over all figures then cover it.
+//! which find their places when it is finished. Add it to its lecture's list, that [`figure::figures`] joins, and its
+//! words to the lecture's file of [`labels`]; the tests over all figures then cover it.
 //!
 //! | module | what it holds |
 //! | --- | --- |
@@ -66,6 +66,7 @@ pub mod error;
 pub mod figure;
 pub mod font;
 pub mod gallery;
+mod hsr;
 pub mod labels;
 pub mod marks;
 mod math;

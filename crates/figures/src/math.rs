@@ -14,9 +14,8 @@ use crate::path::Path;
 use crate::sheet::{Label, Sheet};
 use crate::space::View;
 
-pub(crate) const PLANE: Figure = plane::FIGURE;
-pub(crate) const SPHERICAL: Figure = spherical::FIGURE;
-pub(crate) const FRUSTUM: Figure = frustum::FIGURE;
+/// In the order of the lecture.
+pub(crate) const FIGURES: &[Figure] = &[plane::FIGURE, spherical::FIGURE, frustum::FIGURE];
 
 /// A named point of space, if it can be seen.
 fn point(

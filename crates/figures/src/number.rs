@@ -73,6 +73,15 @@ pub fn coordinates(p: DVec3) -> String {
     format!("({}, {}, {})", exact(p.x), exact(p.y), exact(p.z))
 }
 
+/// Numbers as an option takes them: `0,100,100,1`, `1e300,0.5,-2,1`; the shortest digits that give the same doubles.
+pub fn as_typed(numbers: &[f64]) -> String {
+    let short = |x: &f64| {
+        let text = format!("{x:?}");
+        text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+    };
+    numbers.iter().map(short).collect::<Vec<_>>().join(",")
+}
+
 /// The least of 1, 2, 5 times a power of ten that is at least `length`; 0 where there is none.
 pub fn round_step(length: f64) -> f64 {
     if !(length > 0.0 && length.is_finite()) {
@@ -149,6 +158,20 @@ mod tests {
         ] {
             assert_eq!(equation(plane), text);
         }
+    }
+
+    #[test]
+    fn as_typed_is_short_and_reads_back() {
+        let wild = [1e300, -2.0, 0.1, -0.0, 5e-324, f64::MAX, 12345678.0];
+        let text = as_typed(&wild);
+        assert_eq!(
+            text,
+            "1e300,-2,0.1,-0,5e-324,1.7976931348623157e308,12345678"
+        );
+        let back: Vec<f64> = text.split(',').map(|x| x.parse().unwrap()).collect();
+        let bits = |x: &[f64]| x.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(&back), bits(&wild));
+        assert_eq!(as_typed(&[f64::NAN, f64::INFINITY]), "NaN,inf");
     }
 
     #[test]

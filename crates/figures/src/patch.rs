@@ -6,7 +6,7 @@ use ombra_math::plane::Plane;
 use crate::colour::{Ink, Role};
 use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
-use crate::number::round_step;
+use crate::number::{as_typed, round_step};
 use crate::path::{Path, Rect};
 use crate::sheet::Sheet;
 use crate::space::View;
@@ -45,7 +45,7 @@ impl Patch {
         let wrong = || FigureError::Scene {
             reason: format!(
                 "the plane {} has no patch to draw near the object",
-                plane.coefficients()
+                as_typed(&plane.coefficients().to_array())
             ),
         };
         // Any multiple is the same plane: one with ordinary numbers, before lengths are squared.

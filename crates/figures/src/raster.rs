@@ -22,17 +22,20 @@ use crate::pixels::{Grid, NUMBERS, Orientation};
 use crate::sheet::{Align, Sheet};
 use crate::text::LABEL;
 
-pub(crate) const CONTINUOUS_TO_DISCRETE: Figure = continuous_to_discrete::FIGURE;
-pub(crate) const SEGMENT_SLOPES: Figure = segment_slopes::FIGURE;
-pub(crate) const DDA_ROUNDING: Figure = dda_rounding::FIGURE;
-pub(crate) const BRESENHAM_CHOICE: Figure = bresenham_choice::FIGURE;
-pub(crate) const BRESENHAM_INCREMENTS: Figure = bresenham_increments::FIGURE;
-pub(crate) const BRESENHAM_TRACE: Figure = bresenham_trace::FIGURE;
-pub(crate) const RECTANGLE: Figure = rectangle::FIGURE;
-pub(crate) const POLYGON_KINDS: Figure = polygon_kinds::FIGURE;
-pub(crate) const SCANLINE: Figure = scanline::FIGURE;
-pub(crate) const TRIANGLE_SHARED_EDGE: Figure = triangle_shared_edge::FIGURE;
-pub(crate) const SLIVER: Figure = sliver::FIGURE;
+/// In the order of the lecture.
+pub(crate) const FIGURES: &[Figure] = &[
+    continuous_to_discrete::FIGURE,
+    segment_slopes::FIGURE,
+    dda_rounding::FIGURE,
+    bresenham_choice::FIGURE,
+    bresenham_increments::FIGURE,
+    bresenham_trace::FIGURE,
+    rectangle::FIGURE,
+    polygon_kinds::FIGURE,
+    scanline::FIGURE,
+    triangle_shared_edge::FIGURE,
+    sliver::FIGURE,
+];
 
 /// The segment of all figures, as in Grafica 3, «Algoritmo di Bresenham».
 const SEGMENT: (IVec2, IVec2) = (IVec2::ZERO, IVec2::new(8, 3));

@@ -11,10 +11,12 @@ mod why;
 use crate::figure::Figure;
 
 /// In the order of the lecture.
-pub(crate) const WHY: Figure = why::FIGURE;
-pub(crate) const SIMILAR_TRIANGLES: Figure = similar_triangles::FIGURE;
-pub(crate) const CUBE_INFINITY: Figure = cube::INFINITY;
-pub(crate) const CUBE_POINT: Figure = cube::POINT;
-pub(crate) const ANY_PLANE: Figure = any_plane::FIGURE;
-pub(crate) const FALSE_SHADOW: Figure = false_shadow::FIGURE;
-pub(crate) const FAKE: Figure = fake::FIGURE;
+pub(crate) const FIGURES: &[Figure] = &[
+    why::FIGURE,
+    similar_triangles::FIGURE,
+    cube::INFINITY,
+    cube::POINT,
+    any_plane::FIGURE,
+    false_shadow::FIGURE,
+    fake::FIGURE,
+];

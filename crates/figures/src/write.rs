@@ -1,7 +1,8 @@
-//! Files written whole or not at all: into a temporary file beside the goal, then renamed.
+//! Files written whole or not at all: into temporary files beside their goals, then renamed.
 
+use std::ffi::OsString;
 use std::fs;
-use std::io::Write as _;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -18,43 +19,84 @@ use crate::{png, svg};
 ///
 /// [`FigureError::Write`]; what was at `path` before is then unchanged.
 pub fn whole(path: &Path, bytes: &[u8]) -> Result<(), FigureError> {
-    static COUNT: AtomicU64 = AtomicU64::new(0);
-    let wrong = |error: std::io::Error| FigureError::Write {
+    together(&[(path, bytes)])
+}
+
+/// Writes files that belong together: all are there beside their goals before the first is renamed.
+///
+/// # Errors
+///
+/// [`FigureError::Write`]; what was at the paths before is then unchanged, unless the system refuses to rename a file
+/// that it has just let be written beside its goal.
+pub fn together(files: &[(&Path, &[u8])]) -> Result<(), FigureError> {
+    let mut written: Vec<Temporary> = Vec::with_capacity(files.len());
+    for &(goal, bytes) in files {
+        written.push(Temporary::write(goal, bytes)?);
+    }
+    written.iter().try_for_each(Temporary::rename)
+}
+
+/// A file beside its goal; removed unless it has taken the goal's name.
+struct Temporary<'a> {
+    goal: &'a Path,
+    path: PathBuf,
+}
+
+impl<'a> Temporary<'a> {
+    fn write(goal: &'a Path, bytes: &[u8]) -> Result<Temporary<'a>, FigureError> {
+        static COUNT: AtomicU64 = AtomicU64::new(0);
+        let wrong = |error| refused(goal, error);
+        let folder = goal
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty())
+            .unwrap_or(Path::new("."));
+        fs::create_dir_all(folder).map_err(|error| refused(folder, error))?;
+        let name = goal
+            .file_name()
+            .ok_or_else(|| wrong(io::ErrorKind::InvalidInput.into()))?;
+        // A folder in the goal's place is what a rename would trip over.
+        if goal.is_dir() {
+            return Err(wrong(io::ErrorKind::IsADirectory.into()));
+        }
+        // No two writers share a temporary file: the process and a count name it.
+        let mut own = OsString::from(".");
+        own.push(name);
+        own.push(format!(
+            ".{}-{}",
+            process::id(),
+            COUNT.fetch_add(1, Ordering::Relaxed)
+        ));
+        let path = folder.join(own);
+        let mut file = fs::File::create_new(&path).map_err(wrong)?;
+        let temporary = Temporary { goal, path };
+        let written = file.write_all(bytes).and_then(|()| file.sync_all());
+        written.map_err(wrong).map(|()| temporary)
+    }
+
+    fn rename(&self) -> Result<(), FigureError> {
+        fs::rename(&self.path, self.goal).map_err(|error| refused(self.goal, error))
+    }
+}
+
+impl Drop for Temporary<'_> {
+    fn drop(&mut self) {
+        // Nothing is there any more once it is renamed.
+        let _ = fs::remove_file(&self.path);
+    }
+}
+
+fn refused(path: &Path, error: io::Error) -> FigureError {
+    FigureError::Write {
         path: path.display().to_string(),
         reason: error.to_string(),
-    };
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    fs::create_dir_all(folder).map_err(wrong)?;
-    let name = path
-        .file_name()
-        .ok_or_else(|| wrong(std::io::ErrorKind::InvalidInput.into()))?;
-    // No two writers share a temporary file: the process and a count name it.
-    let mut temporary = std::ffi::OsString::from(".");
-    temporary.push(name);
-    temporary.push(format!(
-        ".{}-{}",
-        process::id(),
-        COUNT.fetch_add(1, Ordering::Relaxed)
-    ));
-    let temporary = folder.join(temporary);
-    let written = fs::File::create_new(&temporary)
-        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&temporary, path));
-    written.map_err(|error| {
-        // The goal's own error is the one worth telling.
-        let _ = fs::remove_file(&temporary);
-        wrong(error)
-    })
+    }
 }
 
 /// Draws `figure` and writes it below `folder` in every format, `shadows/cube-infinity.svg`.
 ///
 /// # Errors
 ///
-/// Those of drawing; [`FigureError::Write`]. Nothing is written before everything is drawn.
+/// Those of drawing; those of [`together`].
 pub fn figure(
     folder: &Path,
     figure: &Figure,
@@ -71,9 +113,11 @@ pub fn figure(
         };
         files.push((folder.join(format!("{}.{format}", figure.id)), bytes));
     }
-    for (path, bytes) in &files {
-        whole(path, bytes)?;
-    }
+    let pairs: Vec<(&Path, &[u8])> = files
+        .iter()
+        .map(|(path, bytes)| (path.as_path(), bytes.as_slice()))
+        .collect();
+    together(&pairs)?;
     Ok(files.into_iter().map(|(path, _)| path).collect())
 }
 
@@ -86,10 +130,11 @@ pub fn index(
     folder: &Path,
     figures: &[&Figure],
     style: &Style,
+    inputs: &Inputs,
     formats: &[Format],
 ) -> Result<PathBuf, FigureError> {
     let path = folder.join("index.html");
-    whole(&path, gallery(figures, style, formats).as_bytes())?;
+    whole(&path, gallery(figures, style, inputs, formats).as_bytes())?;
     Ok(path)
 }
 
@@ -131,6 +176,34 @@ mod tests {
         whole(&path, b"two").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"two");
         assert_eq!(names(path.parent().unwrap()), ["a.svg"]);
+    }
+
+    #[test]
+    fn of_files_that_belong_together_all_are_new_or_none() {
+        let folder = Folder::new("together");
+        let [a, b] = ["a.svg", "b.png"].map(|name| folder.0.join(name));
+        together(&[(&a, b"one"), (&b, b"two")]).unwrap();
+        assert_eq!(names(&folder.0), ["a.svg", "b.png"]);
+        // A folder takes the place of the second: the first stays as it was.
+        fs::remove_file(&b).unwrap();
+        fs::create_dir(&b).unwrap();
+        let error = together(&[(&a, b"new"), (&b, b"new")]).unwrap_err();
+        assert!(error.to_string().contains("b.png cannot be written"));
+        assert_eq!(fs::read(&a).unwrap(), b"one");
+        assert_eq!(names(&folder.0), ["a.svg", "b.png"]);
+
+        // The same for both formats of a figure.
+        let figure = crate::figure::figures().first().unwrap();
+        let style = Style::default();
+        let png = folder.0.join(format!("{}.png", figure.id));
+        fs::create_dir_all(&png).unwrap();
+        let inputs = Inputs::default();
+        let draw = || super::figure(&folder.0, figure, &style, &inputs, Format::ALL);
+        assert!(draw().is_err());
+        assert_eq!(names(png.parent().unwrap()).len(), 1);
+        fs::remove_dir(&png).unwrap();
+        assert_eq!(draw().unwrap().len(), 2);
+        assert_eq!(names(png.parent().unwrap()).len(), 2);
     }
 
     #[test]

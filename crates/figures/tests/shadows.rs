@@ -4,10 +4,10 @@
 
 use ombra_figures::colour::Role;
 use ombra_figures::drawing::{Drawing, Item, Paint};
-use ombra_figures::figure::{Inputs, parse_light, parse_plane, select};
+use ombra_figures::figure::{Inputs, figures, parse_light, parse_plane, select};
 use ombra_figures::number::exact;
 use ombra_figures::path::Path;
-use ombra_figures::style::{Background, Style};
+use ombra_figures::style::{Background, Language, Style};
 use ombra_figures::svg;
 use ombra_figures::text::{LABEL, Line};
 use ombra_math::glam::DVec3;
@@ -51,6 +51,128 @@ fn filled(drawing: &Drawing, wanted: Role) -> Vec<&Path> {
         _ => None,
     };
     drawing.items.iter().filter_map(of).collect()
+}
+
+/// Summary, caption, labels and shapes of a figure.
+fn told(id: &str, inputs: &Inputs) -> (String, String, Vec<String>, Vec<Item>) {
+    let style = Style {
+        caption: true,
+        ..Style::default()
+    };
+    let figure = select(&[id]).unwrap()[0];
+    let drawing = figure
+        .draw(&style, inputs)
+        .unwrap_or_else(|error| panic!("{id}: {error}"));
+    let caption = figure.caption(inputs, Language::En).to_owned();
+    let labels = words(&drawing).into_iter().map(str::to_owned).collect();
+    let shape = |item: &Item| matches!(item, Item::Shape { .. });
+    let shapes = drawing.items.into_iter().filter(shape).collect();
+    (drawing.title, caption, labels, shapes)
+}
+
+#[test]
+fn the_words_follow_what_is_drawn() {
+    let inputs = |light: Option<&str>, plane: Option<&str>, mesh: Option<&str>| Inputs {
+        light: light.map(|light| parse_light(light).unwrap()),
+        plane: plane.map(|plane| parse_plane(plane).unwrap()),
+        mesh: mesh.map(|mesh| mesh.parse().unwrap()),
+    };
+    let (far, near) = (Some("3,9,5,0"), Some("5,90,60,1"));
+    for id in ["shadows/cube-infinity", "shadows/cube-point"] {
+        for (light, kind, caption) in [
+            (far, "light at infinity", "Light at infinity: "),
+            (near, "point light", "Light at a place: "),
+            // The same place, written with another w.
+            (
+                Some("-10,-180,-120,-2"),
+                "point light",
+                "Light at a place: ",
+            ),
+        ] {
+            for (mesh, object) in [
+                (None, "A cube"),
+                (Some("cube"), "A cube"),
+                (Some("torus"), "An object"),
+            ] {
+                let (title, said, ..) = told(id, &inputs(light, None, mesh));
+                assert!(
+                    title.starts_with(&format!("{object} under a {kind}")),
+                    "{id}: {title}"
+                );
+                assert!(said.starts_with(caption), "{id}: {said}");
+                assert!(
+                    !(object == "An object" && said.contains("cube")),
+                    "{id}: {said}"
+                );
+            }
+        }
+    }
+    let id = "shadows/planar-any-plane";
+    for (plane, mesh, title) in [
+        (None, None, "A cube's shadow on a slanted wall"),
+        (None, Some("torus"), "An object's shadow on a slanted wall"),
+        (Some("0,1,0,5"), None, "A cube's shadow on a plane"),
+        (
+            Some("0,1,0,5"),
+            Some("torus"),
+            "An object's shadow on a plane",
+        ),
+    ] {
+        assert_eq!(told(id, &inputs(None, plane, mesh)).0, title);
+    }
+    // Right above the vertex (8, 3) there are no triangles to speak of.
+    let id = "shadows/planar-similar-triangles";
+    for (light, triangles) in [("16,9,0,1", true), ("8,9,0,1", false), ("0,1,0,0", false)] {
+        let (title, caption, ..) = told(id, &inputs(Some(light), None, None));
+        assert_eq!(title.contains("triangles"), triangles, "{light}");
+        assert_eq!(caption.contains("similar triangles"), triangles, "{light}");
+    }
+}
+
+/// Each input that a figure takes moves its geometry; the light's and the plane's numbers are labels as well.
+#[test]
+fn every_input_a_figure_takes_moves_it() {
+    for figure in figures() {
+        let light = parse_light("-3,20,5,0").unwrap();
+        let plane = parse_plane("1,3,0,8").unwrap();
+        let usual = told(figure.id, &Inputs::default());
+        for (name, taken, inputs) in [
+            (
+                "light",
+                figure.takes.light,
+                Inputs {
+                    light: Some(light),
+                    ..Inputs::default()
+                },
+            ),
+            (
+                "plane",
+                figure.takes.plane,
+                Inputs {
+                    plane: Some(plane),
+                    ..Inputs::default()
+                },
+            ),
+            (
+                "mesh",
+                figure.takes.mesh,
+                Inputs {
+                    mesh: "teapot".parse().ok(),
+                    ..Inputs::default()
+                },
+            ),
+        ] {
+            let moved = told(figure.id, &inputs);
+            if taken {
+                assert_ne!(usual.3, moved.3, "{} {name}", figure.id);
+                // The object of `shadows/fake` has no labels of its own.
+                let silent = figure.id == "shadows/fake" && name == "mesh";
+                assert_eq!(usual.2 == moved.2, silent, "{} {name}", figure.id);
+            } else {
+                assert_eq!(usual, moved, "{} takes no {name}", figure.id);
+            }
+        }
+    }
 }
 
 /// P_x = 100 x / (100 − y), P_z = (100 z − 100 y) / (100 − y), worked by hand (Olomouc, Zdroj světla v bodě).

@@ -58,7 +58,15 @@ pub fn run(options: &Options) -> Result<(), String> {
     if options.docs {
         return docs();
     }
-    draw(options).map_err(|error| error.to_string())
+    draw(options).map_err(|error| named(&options.out, &error))
+}
+
+/// What went wrong; where it was with writing, with the option that said where to.
+pub fn named(out: &Path, error: &FigureError) -> String {
+    match error {
+        FigureError::Write { .. } => format!("--out {}: {error}", out.display()),
+        _ => error.to_string(),
+    }
 }
 
 fn draw(options: &Options) -> Result<(), FigureError> {
@@ -97,7 +105,7 @@ fn draw(options: &Options) -> Result<(), FigureError> {
         files += write::figure(&options.out, figure, &style, &inputs, &formats)?.len();
         bar.inc(1);
     }
-    let index = write::index(&options.out, &chosen, &style, &formats)?;
+    let index = write::index(&options.out, &chosen, &style, &inputs, &formats)?;
     bar.finish_and_clear();
     crate::print(format_args!(
         "{}, {}, in {}; gallery: {}",

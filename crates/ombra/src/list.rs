@@ -1,7 +1,7 @@
 //! `ombra list`.
 
 use clap::Args;
-use ombra_figures::figure::figures;
+use ombra_figures::figure::{Inputs, figures};
 use ombra_figures::style::Language;
 use ombra_trade::studies;
 
@@ -41,7 +41,7 @@ pub fn run(options: &Options) -> Result<(), String> {
         crate::print(format_args!(
             "  {:width$}  {}{suffix}",
             figure.id,
-            figure.summary(language)
+            figure.summary(&Inputs::default(), language)
         ));
     }
     crate::print("studies");

@@ -4,11 +4,12 @@
 
 mod figures;
 mod list;
+mod mistyped;
 mod trade;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 /// The course you can run: slide figures and measured trade-offs.
 #[derive(Parser)]
@@ -29,8 +30,11 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    // clap answers a mistyped option itself, with what is allowed and exit code 2.
-    let result = match Arguments::parse().command {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return refuse(&error),
+    };
+    let result = match arguments.command {
         Command::Figures(options) => figures::run(&options),
         Command::Trade(options) => trade::run(&options),
         Command::List(options) => list::run(&options),
@@ -40,6 +44,24 @@ fn main() -> ExitCode {
         Err(sentence) => {
             eprintln!("ombra: {sentence}");
             ExitCode::from(2)
+        }
+    }
+}
+
+/// Help and version are printed as clap does; a mistake gets a sentence.
+fn refuse(error: &clap::Error) -> ExitCode {
+    let mut command = Arguments::command();
+    command.build();
+    let typed = std::env::args_os().skip(1);
+    let typed: Vec<String> = typed.filter_map(|word| word.into_string().ok()).collect();
+    match mistyped::sentence(error, &command, &typed) {
+        Some(sentence) => {
+            eprintln!("ombra: {sentence}");
+            ExitCode::from(2)
+        }
+        None => {
+            let _ = error.print();
+            ExitCode::SUCCESS
         }
     }
 }

@@ -9,7 +9,7 @@ use ombra_trade::run::run as run_study;
 use ombra_trade::select;
 use ombra_trade::study::Effort;
 
-use crate::figures::{formats, progress};
+use crate::figures::{formats, named, progress};
 
 /// What `ombra trade` takes.
 #[derive(Args)]
@@ -45,7 +45,10 @@ pub fn run(options: &Options) -> Result<(), String> {
         ..Style::default()
     };
     let formats = formats(&options.format).map_err(sentence)?;
-    measure(options, &style, &formats).map_err(|error| error.to_string())
+    measure(options, &style, &formats).map_err(|error| match &error {
+        TradeError::Figure(error) => named(&options.out, error),
+        _ => error.to_string(),
+    })
 }
 
 fn measure(options: &Options, style: &Style, formats: &[Format]) -> Result<(), TradeError> {

@@ -9,7 +9,7 @@ use super::{Board, NAMES, window};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::number::exact;
@@ -26,8 +26,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::CohenSutherlandSummary,
-    caption: Key::CohenSutherlandCaption,
+    words: |_| Words {
+        summary: Key::COHEN_SUTHERLAND_SUMMARY,
+        caption: Key::COHEN_SUTHERLAND_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -53,13 +55,13 @@ fn decision(step: &Step, language: Language) -> String {
     let [a, b] = step.codes;
     let (either, both) = (a | b, a & b);
     match step.decision {
-        Decision::Accept => format!("OR {either}: {}", Key::Accept.text(language)),
-        Decision::Reject => format!("AND {both}: {}", Key::Reject.text(language)),
+        Decision::Accept => format!("OR {either}: {}", Key::ACCEPT.text(language)),
+        Decision::Reject => format!("AND {both}: {}", Key::REJECT.text(language)),
         Decision::Cut { side, .. } => {
             let (axis, at) = line(side);
             // Unbreakable spaces keep the cut on one line.
             let cut =
-                format!("{} *{axis}* = {at}", Key::CutAt.text(language)).replace(' ', "\u{a0}");
+                format!("{} *{axis}* = {at}", Key::CUT_AT.text(language)).replace(' ', "\u{a0}");
             format!("OR {either}, AND {both}: {cut}")
         }
     }

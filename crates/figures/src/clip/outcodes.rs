@@ -7,7 +7,7 @@ use ombra_math::glam::DVec2;
 use super::{Board, window};
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::path::Rect;
 use crate::sheet::{Align, Sheet};
@@ -20,8 +20,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::OutcodesSummary,
-    caption: Key::OutcodesCaption,
+    words: |_| Words {
+        summary: Key::OUTCODES_SUMMARY,
+        caption: Key::OUTCODES_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -32,7 +34,7 @@ const LARGE: f64 = 2.0 * LABEL;
 const DIGIT: f64 = 0.68 * LARGE;
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
-    let bit = Key::Bit.text(sheet.style().language);
+    let bit = Key::BIT.text(sheet.style().language);
     let frame = sheet.frame();
     // Rows are named on the left, columns below.
     let names = DVec2::new(5.4 * LABEL, 2.7 * LABEL);

@@ -6,7 +6,7 @@ use ombra_math::glam::DVec2;
 use super::{Board, NAMES, window};
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::path::Rect;
@@ -20,8 +20,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::PointWindowSummary,
-    caption: Key::PointWindowCaption,
+    words: |_| Words {
+        summary: Key::POINT_WINDOW_SUMMARY,
+        caption: Key::POINT_WINDOW_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 

@@ -7,7 +7,7 @@ use super::{Board, window};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, Pen};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::panels::panels;
 use crate::sheet::Sheet;
@@ -20,8 +20,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::PolygonCasesSummary,
-    caption: Key::PolygonCasesCaption,
+    words: |_| Words {
+        summary: Key::POLYGON_CASES_SUMMARY,
+        caption: Key::POLYGON_CASES_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -51,10 +53,10 @@ const CORNER: [(f64, f64); 3] = [(2.0, 6.8), (15.0, 3.4), (8.0, 22.0)];
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
     let lines = [
-        Key::CaseConvex,
-        Key::CaseBridges,
-        Key::CasePieces,
-        Key::CaseClosed,
+        Key::CASE_CONVEX,
+        Key::CASE_BRIDGES,
+        Key::CASE_PIECES,
+        Key::CASE_CLOSED,
     ]
     .map(|key| key.text(language));
     let boards: Vec<Board> = panels(sheet, &lines, 1.55)?

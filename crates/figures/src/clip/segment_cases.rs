@@ -7,7 +7,7 @@ use super::{Board, window};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::sheet::Sheet;
@@ -20,8 +20,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::SegmentCasesSummary,
-    caption: Key::SegmentCasesCaption,
+    words: |_| Words {
+        summary: Key::SEGMENT_CASES_SUMMARY,
+        caption: Key::SEGMENT_CASES_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 

@@ -8,7 +8,7 @@ use super::{Board, NAMES, window};
 use crate::colour::Role;
 use crate::drawing::{NORMAL, Pen};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::panels::panels;
@@ -21,8 +21,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::SutherlandHodgmanSummary,
-    caption: Key::SutherlandHodgmanCaption,
+    words: |_| Words {
+        summary: Key::SUTHERLAND_HODGMAN_SUMMARY,
+        caption: Key::SUTHERLAND_HODGMAN_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 

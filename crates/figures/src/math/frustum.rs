@@ -7,7 +7,7 @@ use super::{arrow, polyline};
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::number::exact;
@@ -23,8 +23,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::MathFrustumSummary,
-    caption: Key::MathFrustumCaption,
+    words: |_| Words {
+        summary: Key::MATH_FRUSTUM_SUMMARY,
+        caption: Key::MATH_FRUSTUM_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -57,7 +59,7 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
         reason: error.to_string(),
     })?;
     let language = sheet.style().language;
-    let lines = [Key::FrustumBefore, Key::FrustumAfter].map(|key| key.text(language));
+    let lines = [Key::FRUSTUM_BEFORE, Key::FRUSTUM_AFTER].map(|key| key.text(language));
     let [before, after] = panels(sheet, &lines, 1.0)?[..] else {
         return Ok(());
     };

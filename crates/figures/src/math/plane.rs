@@ -7,7 +7,7 @@ use super::{arrow, point, polyline};
 use crate::colour::Role;
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::number::{coordinates, equation, exact};
 use crate::patch::Patch;
@@ -23,8 +23,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::MathPlaneSummary,
-    caption: Key::MathPlaneCaption,
+    words: |_| Words {
+        summary: Key::MATH_PLANE_SUMMARY,
+        caption: Key::MATH_PLANE_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 

@@ -9,7 +9,7 @@ use super::{arrow, point, polyline};
 use crate::colour::{Ink, Role};
 use crate::drawing::{EMPHASIS, NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::path::{Path, Rect};
 use crate::sheet::{Align, Label, Sheet};
@@ -23,8 +23,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::MathSphericalSummary,
-    caption: Key::MathSphericalCaption,
+    words: |_| Words {
+        summary: Key::MATH_SPHERICAL_SUMMARY,
+        caption: Key::MATH_SPHERICAL_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 

@@ -9,7 +9,7 @@ use super::SEGMENT;
 use crate::colour::Role;
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::number::exact;
@@ -26,8 +26,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::BresenhamChoiceSummary,
-    caption: Key::BresenhamChoiceCaption,
+    words: |_| Words {
+        summary: Key::BRESENHAM_CHOICE_SUMMARY,
+        caption: Key::BRESENHAM_CHOICE_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 

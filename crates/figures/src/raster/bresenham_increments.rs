@@ -7,7 +7,7 @@ use super::SEGMENT;
 use crate::colour::Role;
 use crate::drawing::NORMAL;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::number::exact;
@@ -24,8 +24,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::BresenhamIncrementsSummary,
-    caption: Key::BresenhamIncrementsCaption,
+    words: |_| Words {
+        summary: Key::BRESENHAM_INCREMENTS_SUMMARY,
+        caption: Key::BRESENHAM_INCREMENTS_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -34,7 +36,7 @@ const COLUMNS: [usize; 2] = [2, 1];
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let (a, b) = SEGMENT;
-    let after = Key::After.text(sheet.style().language);
+    let after = Key::AFTER.text(sheet.style().language);
     let pairs = COLUMNS.map(|x| Some((trace(a, b).nth(x)?, trace(a, b).nth(x + 1)?)));
     let pairs: Vec<(Step, Step)> = pairs.into_iter().flatten().collect();
     let lines: Vec<String> = pairs

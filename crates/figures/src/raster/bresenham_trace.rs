@@ -6,7 +6,7 @@ use ombra_raster::bresenham::{segment, trace};
 use super::{Columns, SEGMENT};
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::number::exact;
@@ -20,8 +20,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::BresenhamTraceSummary,
-    caption: Key::BresenhamTraceCaption,
+    words: |_| Words {
+        summary: Key::BRESENHAM_TRACE_SUMMARY,
+        caption: Key::BRESENHAM_TRACE_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 

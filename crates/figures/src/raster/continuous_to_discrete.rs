@@ -8,7 +8,7 @@ use super::pixels;
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::panels::panels;
 use crate::path::Path;
@@ -22,8 +22,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::ContinuousToDiscreteSummary,
-    caption: Key::ContinuousToDiscreteCaption,
+    words: |_| Words {
+        summary: Key::CONTINUOUS_TO_DISCRETE_SUMMARY,
+        caption: Key::CONTINUOUS_TO_DISCRETE_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -33,7 +35,7 @@ const POLYGON: [(f64, f64); 5] = [(4.3, 0.8), (11.6, 1.7), (14.2, 5.3), (7.4, 8.
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
-    let lines = [Key::Continuous, Key::Discrete].map(|key| key.text(language));
+    let lines = [Key::CONTINUOUS, Key::DISCRETE].map(|key| key.text(language));
     let polygon = POLYGON.map(DVec2::from);
     let (width, height) = SIZE;
     let mut on: Vec<IVec2> = bresenham::segment(SEGMENT.0, SEGMENT.1).collect();

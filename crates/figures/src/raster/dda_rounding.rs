@@ -7,7 +7,7 @@ use super::{Columns, SEGMENT};
 use crate::colour::Role;
 use crate::drawing::NORMAL;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::number::exact;
@@ -21,8 +21,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::DdaRoundingSummary,
-    caption: Key::DdaRoundingCaption,
+    words: |_| Words {
+        summary: Key::DDA_ROUNDING_SUMMARY,
+        caption: Key::DDA_ROUNDING_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -37,7 +39,7 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let on: Vec<IVec2> = segment(a, b).collect();
     let columns = Columns::new(sheet, LEFT, 2.4, &on)?;
     let grid = &columns.grid;
-    let word = Key::Pixel.text(sheet.style().language);
+    let word = Key::PIXEL.text(sheet.style().language);
     let left = sheet.frame().min.x.max(grid.bounds().min.x - LEFT);
     for (name, row) in [("*y*_i", Y), (word, PIXEL)] {
         let at = DVec2::new(left, columns.height(row));

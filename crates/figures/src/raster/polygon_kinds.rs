@@ -7,7 +7,7 @@ use super::pixels;
 use crate::colour::Role;
 use crate::drawing::THIN;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::panels::panels;
@@ -23,8 +23,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::PolygonKindsSummary,
-    caption: Key::PolygonKindsCaption,
+    words: |_| Words {
+        summary: Key::POLYGON_KINDS_SUMMARY,
+        caption: Key::POLYGON_KINDS_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -63,10 +65,10 @@ const SEVERAL: &[&[(f64, f64)]] = &[
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
     let kinds = [
-        (Key::KindConvex, CONVEX),
-        (Key::KindConcave, CONCAVE),
-        (Key::KindCrossed, STAR),
-        (Key::KindSeveral, SEVERAL),
+        (Key::KIND_CONVEX, CONVEX),
+        (Key::KIND_CONCAVE, CONCAVE),
+        (Key::KIND_CROSSED, STAR),
+        (Key::KIND_SEVERAL, SEVERAL),
     ];
     let lines = kinds.map(|(key, _)| key.text(language));
     let heading = 1.9 * LABEL;
@@ -76,8 +78,8 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     };
     let half = 0.5 * first.size().y;
     for (row, key, rule) in [
-        (0.0, Key::EvenOdd, FillRule::EvenOdd),
-        (1.0, Key::NonZero, FillRule::NonZero),
+        (0.0, Key::EVEN_ODD, FillRule::EvenOdd),
+        (1.0, Key::NON_ZERO, FillRule::NonZero),
     ] {
         let top = first.min.y + half * row;
         let at = DVec2::new(first.min.x, top + heading - LABEL);

@@ -5,7 +5,7 @@ use ombra_raster::rectangle::{fill, outline};
 
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::panels::panels;
@@ -20,8 +20,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::RectangleSummary,
-    caption: Key::RectangleCaption,
+    words: |_| Words {
+        summary: Key::RECTANGLE_SUMMARY,
+        caption: Key::RECTANGLE_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -31,10 +33,10 @@ const MAX: IVec2 = IVec2::new(6, 4);
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
     let kinds: [(Key, Vec<IVec2>); 2] = [
-        (Key::RectangleOutline, outline(MIN, MAX).collect()),
-        (Key::RectangleFilled, fill(MIN, MAX).collect()),
+        (Key::RECTANGLE_OUTLINE, outline(MIN, MAX).collect()),
+        (Key::RECTANGLE_FILLED, fill(MIN, MAX).collect()),
     ];
-    let pixels = Key::PixelsOf.text(language);
+    let pixels = Key::PIXELS_OF.text(language);
     let lines = kinds
         .each_ref()
         .map(|(key, on)| format!("{}: {}\u{a0}{pixels}", key.text(language), on.len()));

@@ -9,7 +9,7 @@ use super::pixels;
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::number::decimal;
@@ -25,8 +25,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::ScanlineSummary,
-    caption: Key::ScanlineCaption,
+    words: |_| Words {
+        summary: Key::SCANLINE_SUMMARY,
+        caption: Key::SCANLINE_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -63,8 +65,8 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
 
     // The edge table: names, rows, and where the row is crossed.
     let mut columns = [
-        vec![Key::ScanEdge.text(language).to_owned()],
-        vec![Key::ScanRows.text(language).to_owned()],
+        vec![Key::SCAN_EDGE.text(language).to_owned()],
+        vec![Key::SCAN_ROWS.text(language).to_owned()],
         vec!["*X*".to_owned()],
     ];
     for (i, edge) in table.iter().enumerate() {

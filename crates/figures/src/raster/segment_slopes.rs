@@ -6,7 +6,7 @@ use ombra_raster::bresenham::segment;
 use super::SEGMENT;
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::panels::panels;
@@ -21,14 +21,16 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::SegmentSlopesSummary,
-    caption: Key::SegmentSlopesCaption,
+    words: |_| Words {
+        summary: Key::SEGMENT_SLOPES_SUMMARY,
+        caption: Key::SEGMENT_SLOPES_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
-    let lines = [Key::SlopeColumns, Key::SlopeRows].map(|key| key.text(language));
+    let lines = [Key::SLOPE_COLUMNS, Key::SLOPE_ROWS].map(|key| key.text(language));
     let (a, b) = SEGMENT;
     let corner = IVec2::splat(b.x);
     for (i, panel) in panels(sheet, &lines, 1.0)?.into_iter().enumerate() {

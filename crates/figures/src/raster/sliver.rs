@@ -6,7 +6,7 @@ use ombra_raster::triangle::{cover, edge_function};
 use super::pixels;
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::number::exact;
 use crate::path::Rect;
@@ -21,8 +21,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::SliverSummary,
-    caption: Key::SliverCaption,
+    words: |_| Words {
+        summary: Key::SLIVER_SUMMARY,
+        caption: Key::SLIVER_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -57,10 +59,10 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
         let grid = Grid::fit(IVec2::ZERO, last, Orientation::Picture, picture);
         let words = format!(
             "{} {}: {} {}",
-            Key::Area.text(language),
+            Key::AREA.text(language),
             exact(area(sliver)),
             on.len(),
-            Key::PixelsOf.text(language),
+            Key::PIXELS_OF.text(language),
         );
         let at = DVec2::new(grid.bounds().min.x, top + 0.5 * HEADING);
         sheet.text(at, Align::Left, &words, LABEL, Role::Text)?;

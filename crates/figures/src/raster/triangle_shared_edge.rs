@@ -11,7 +11,7 @@ use super::pixels;
 use crate::colour::{Ink, Role};
 use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::panels::panels;
@@ -27,8 +27,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::SharedEdgeSummary,
-    caption: Key::SharedEdgeCaption,
+    words: |_| Words {
+        summary: Key::SHARED_EDGE_SUMMARY,
+        caption: Key::SHARED_EDGE_CAPTION,
+    },
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -41,9 +43,9 @@ const B: (f64, f64) = (0.7, 7.3);
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
     let rules = [
-        (Key::SharedTopLeft, EdgeRule::TopLeft),
-        (Key::SharedClosed, EdgeRule::Closed),
-        (Key::SharedOpen, EdgeRule::Open),
+        (Key::SHARED_TOP_LEFT, EdgeRule::TopLeft),
+        (Key::SHARED_CLOSED, EdgeRule::Closed),
+        (Key::SHARED_OPEN, EdgeRule::Open),
     ];
     let lines = rules.map(|(key, _)| key.text(language));
     for (panel, (_, rule)) in panels(sheet, &lines, 1.0)?.into_iter().zip(rules) {

@@ -6,12 +6,13 @@ use ombra_math::solids::slide_cube;
 
 use super::scene::{Scene, draw_normal, on_sheet};
 use crate::colour::Role;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::number::{coordinates, equation};
 use crate::sheet::Label;
 use crate::space::{axes, mesh};
+use crate::text::{LABEL, Line};
 
 /// The lectures' cube, a light at a place, and a wall that leans back and aside (Bologna, Ombre su piani, caso
 /// generale; Olomouc, Projekce na libovolnou plochu).
@@ -22,8 +23,15 @@ pub(super) const FIGURE: Figure = Figure {
         plane: true,
         mesh: true,
     },
-    summary: Key::AnyPlaneSummary,
-    caption: Key::AnyPlaneCaption,
+    words: |inputs| Words {
+        summary: match (inputs.is_cube(), inputs.plane) {
+            (true, None) => Key::ANY_PLANE_SUMMARY,
+            (false, None) => Key::OBJECT_ON_WALL_SUMMARY,
+            (true, Some(_)) => Key::CUBE_ON_PLANE_SUMMARY,
+            (false, Some(_)) => Key::OBJECT_ON_PLANE_SUMMARY,
+        },
+        caption: Key::ANY_PLANE_CAPTION,
+    },
     drawn: |sheet, inputs| {
         let wall = Plane {
             normal: DVec3::new(0.0, 1.0, 2.0),
@@ -51,9 +59,11 @@ pub(super) const FIGURE: Figure = Figure {
         }
         let foot = stage.normal_foot(&scene);
         draw_normal(sheet, view, scene.plane, foot, scene.normal_length());
-        if let Some(at) = stage.lower_edge() {
-            let label = Label::new(at, equation(scene.plane));
-            sheet.label(label.towards(DVec2::Y));
+        let words = equation(scene.plane);
+        let line = Line::new(&words, LABEL)?;
+        let size = DVec2::new(line.width, line.ascent + line.descent);
+        if let Some((at, out)) = stage.free_edge(&scene, &[foot], size, sheet.frame()) {
+            sheet.label(Label::new(at, words).towards(out));
         }
         scene.draw_light(sheet, view);
         if let Some(&(_, v, p)) = scene.outermost(view).first() {

@@ -7,7 +7,7 @@ use ombra_math::solids::slide_cube;
 use super::scene::{Scene, Stage};
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Inputs, Takes};
+use crate::figure::{Figure, Inputs, Takes, Words};
 use crate::labels::Key;
 use crate::sheet::Sheet;
 use crate::space::{axes, mesh};
@@ -19,23 +19,36 @@ const TAKES: Takes = Takes {
     mesh: true,
 };
 
+const AT_INFINITY: DVec4 = DVec4::new(10.0, 10.0, 10.0, 0.0);
+const AT_A_PLACE: DVec4 = DVec4::new(0.0, 100.0, 100.0, 1.0);
+
 /// Under (10, 10, 10) at infinity (Olomouc, Zdroj v nekonečnu, Příklad).
 pub(super) const INFINITY: Figure = Figure {
     id: "shadows/cube-infinity",
     takes: TAKES,
-    summary: Key::CubeInfinitySummary,
-    caption: Key::CubeInfinityCaption,
-    drawn: |sheet, inputs| draw(sheet, inputs, DVec4::new(10.0, 10.0, 10.0, 0.0)),
+    words: |inputs| words(inputs, AT_INFINITY),
+    drawn: |sheet, inputs| draw(sheet, inputs, AT_INFINITY),
 };
 
 /// Under the point (0, 100, 100) (Olomouc, Zdroj světla v bodě, Příklad).
 pub(super) const POINT: Figure = Figure {
     id: "shadows/cube-point",
     takes: TAKES,
-    summary: Key::CubePointSummary,
-    caption: Key::CubePointCaption,
-    drawn: |sheet, inputs| draw(sheet, inputs, DVec4::new(0.0, 100.0, 100.0, 1.0)),
+    words: |inputs| words(inputs, AT_A_PLACE),
+    drawn: |sheet, inputs| draw(sheet, inputs, AT_A_PLACE),
 };
+
+/// By the kind of light and by whether the object is the cube.
+fn words(inputs: &Inputs, light: DVec4) -> Words {
+    let at_infinity = inputs.light.unwrap_or(light).w == 0.0;
+    let (summary, caption) = match (at_infinity, inputs.is_cube()) {
+        (true, true) => (Key::CUBE_INFINITY_SUMMARY, Key::CUBE_INFINITY_CAPTION),
+        (true, false) => (Key::OBJECT_INFINITY_SUMMARY, Key::CUBE_INFINITY_CAPTION),
+        (false, true) => (Key::CUBE_POINT_SUMMARY, Key::CUBE_POINT_CAPTION),
+        (false, false) => (Key::OBJECT_POINT_SUMMARY, Key::OBJECT_POINT_CAPTION),
+    };
+    Words { summary, caption }
+}
 
 fn draw(sheet: &mut Sheet, inputs: &Inputs, light: DVec4) -> Result<(), FigureError> {
     let scene = Scene::new(inputs, slide_cube, light, Plane::GROUND)?;

@@ -9,8 +9,9 @@ use super::scene::{Scene, on_sheet};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Inputs, Takes};
+use crate::figure::{Figure, Inputs, Takes, Words};
 use crate::labels::Key;
+use crate::number::as_typed;
 use crate::object::NamedMesh;
 use crate::path::Path;
 use crate::sheet::{Label, Sheet};
@@ -24,16 +25,18 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: true,
     },
-    summary: Key::FakeSummary,
-    caption: Key::FakeCaption,
+    words: |_| Words {
+        summary: Key::FAKE_SUMMARY,
+        caption: Key::FAKE_CAPTION,
+    },
     drawn: |sheet, inputs| {
         let light = DVec4::new(6.0, 7.0, -3.0, 0.0);
         let scene = Scene::new(&lowered(inputs), slide_cube, light, Plane::GROUND)?;
         let fake = ellipse(&scene.mesh.positions, scene.plane, scene.light).ok_or_else(|| {
             FigureError::Scene {
                 reason: format!(
-                    "--light {} casts no shadow of the object's middle on the ground, where the ellipse would lie",
-                    scene.light
+                    "the light {} casts no shadow of the object's middle on the ground, where the ellipse would lie (--light)",
+                    as_typed(&scene.light.to_array())
                 ),
             }
         })?;
@@ -54,11 +57,11 @@ pub(super) const FIGURE: Figure = Figure {
         if let Some(rim) = view.contour(&rim) {
             sheet.stroke_unmarked(Path::hatching(&rim, 16.0), Pen::new(Role::Chosen, THIN));
             sheet.stroke(Path::polygon(&rim), Pen::new(Role::Chosen, EMPHASIS));
-            let words = Key::FakeShadow.text(language);
+            let words = Key::FAKE_SHADOW.text(language);
             name_ellipse(sheet, &rim, &shadow, words);
         }
         if let Some(leftmost) = shadow.into_iter().min_by(|a, b| a.x.total_cmp(&b.x)) {
-            let label = Label::new(leftmost, Key::TrueShadow.text(language));
+            let label = Label::new(leftmost, Key::TRUE_SHADOW.text(language));
             sheet.label(label.towards(DVec2::NEG_X).ink(Role::Shadow));
         }
 

@@ -8,7 +8,7 @@ use ombra_shadows::planar::{Placement, classify, shadow_matrix};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, NORMAL, Pen};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
 use crate::number::exact;
@@ -26,8 +26,10 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::FalseShadowSummary,
-    caption: Key::FalseShadowCaption,
+    words: |_| Words {
+        summary: Key::FALSE_SHADOW_SUMMARY,
+        caption: Key::FALSE_SHADOW_CAPTION,
+    },
     drawn: |sheet, _| {
         let language = sheet.style().language;
         let lines = HEIGHTS.map(|height| line_of(height).text(language));
@@ -51,9 +53,9 @@ const ASIDE: f64 = 0.16;
 /// The panel's line, by what the library says of the plate.
 fn line_of(height: f64) -> Key {
     match classify(Plane::GROUND, LIGHT, DVec3::new(ENDS[0], height, 0.0)) {
-        Some(Placement::Casts) => Key::FalseShadowBetween,
-        Some(Placement::BehindPlane) => Key::FalseShadowBehindPlane,
-        _ => Key::FalseShadowBeyondLight,
+        Some(Placement::Casts) => Key::FALSE_SHADOW_BETWEEN,
+        Some(Placement::BehindPlane) => Key::FALSE_SHADOW_BEHIND_PLANE,
+        _ => Key::FALSE_SHADOW_BEYOND_LIGHT,
     }
 }
 
@@ -74,16 +76,16 @@ fn draw(sheet: &mut Sheet, panel: Rect, height: f64) -> Result<(), FigureError> 
         project(shadow_matrix(Plane::GROUND, LIGHT).ok()? * point(v))
     };
     let shadow = plate.map(|v| drawn_by_matrix(v).unwrap_or_default());
-    let is_true = line_of(height) == Key::FalseShadowBetween;
+    let is_true = line_of(height) == Key::FALSE_SHADOW_BETWEEN;
 
     for (v, p) in plate.into_iter().zip(shadow) {
         // In order along the ray; light travels as far as the first thing it meets.
         let (first, last) = match line_of(height) {
-            Key::FalseShadowBetween => (v, p),
+            Key::FALSE_SHADOW_BETWEEN => (v, p),
             _ => (p, v),
         };
         marks::ray_from_sun(sheet, at(light), at(first));
-        let from = if line_of(height) == Key::FalseShadowBeyondLight {
+        let from = if line_of(height) == Key::FALSE_SHADOW_BEYOND_LIGHT {
             light
         } else {
             first
@@ -107,13 +109,13 @@ fn draw(sheet: &mut Sheet, panel: Rect, height: f64) -> Result<(), FigureError> 
     marks::sun(sheet, at(light));
 
     let words = if is_true {
-        Key::TrueShadow
+        Key::TRUE_SHADOW
     } else {
-        Key::FalseShadow
+        Key::FALSE_SHADOW
     };
     // Below the ground's hatched strip, clear of rays that go on there.
     let (under, side) = match line_of(height) {
-        Key::FalseShadowBehindPlane => (a.min(b), DVec2::new(-1.0, 1.0)),
+        Key::FALSE_SHADOW_BEHIND_PLANE => (a.min(b), DVec2::new(-1.0, 1.0)),
         _ => ((a + b) * 0.5, DVec2::Y),
     };
     let label = Label::new(under + DVec2::new(0.0, STRIP), words.text(language));

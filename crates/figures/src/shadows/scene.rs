@@ -2,6 +2,7 @@
 
 mod light;
 mod shadow;
+mod stage;
 
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::mesh::Mesh;
@@ -9,11 +10,12 @@ use ombra_math::plane::Plane;
 use ombra_shadows::planar::cast;
 
 use self::light::Sun;
+pub(super) use self::stage::Stage;
 use crate::colour::Role;
 use crate::error::FigureError;
 use crate::figure::Inputs;
 use crate::marks;
-use crate::number::coordinates;
+use crate::number::{as_typed, coordinates};
 use crate::object::LABELLED;
 use crate::patch::Patch;
 use crate::path::Rect;
@@ -34,53 +36,6 @@ pub(super) struct Scene {
     pub casts: Vec<Option<DVec3>>,
     centre: DVec3,
     reach: f64,
-}
-
-/// The view of a scene and the piece of the plane that is shown.
-pub(super) struct Stage {
-    pub view: View,
-    pub patch: Patch,
-}
-
-impl Stage {
-    /// Whether the plane stands between the eye and the object.
-    pub fn hides(&self, scene: &Scene) -> bool {
-        let distance = |p| scene.plane.signed_distance(p);
-        distance(self.view.eye()) * distance(scene.centre) < 0.0
-    }
-
-    /// A place on the plane for its normal: that corner of the patch that is farthest from shadow and object.
-    pub fn normal_foot(&self, scene: &Scene) -> DVec3 {
-        let shadow: Vec<DVec2> = scene
-            .casts
-            .iter()
-            .filter_map(|p| self.view.project((*p)?))
-            .collect();
-        let object = scene.mesh.positions.iter();
-        let object = object.filter_map(|&v| self.view.project(v));
-        let taken: Vec<DVec2> = shadow.into_iter().chain(object).collect();
-        let clearance = |p: &DVec3| {
-            let at = self.view.project(*p).unwrap_or_default();
-            let distances = taken.iter().map(|q| q.distance_squared(at));
-            distances.fold(f64::INFINITY, f64::min)
-        };
-        self.patch
-            .corner_cells()
-            .into_iter()
-            .max_by(|a, b| clearance(a).total_cmp(&clearance(b)))
-            .unwrap_or_default()
-    }
-
-    /// Where the patch's lower edge is on the canvas.
-    pub fn lower_edge(&self) -> Option<DVec2> {
-        let corners = self.view.contour(&self.patch.corners())?;
-        let next = corners.iter().cycle().skip(1);
-        corners
-            .iter()
-            .zip(next)
-            .map(|(a, b)| (*a + *b) * 0.5)
-            .max_by(|a, b| a.y.total_cmp(&b.y))
-    }
 }
 
 impl Scene {
@@ -107,8 +62,10 @@ impl Scene {
         if casts.iter().all(Option::is_none) {
             return Err(FigureError::Scene {
                 reason: format!(
-                    "--light {light} casts no shadow of the object on the plane {}: the object must lie between them",
-                    plane.coefficients()
+                    "the light {} casts no shadow of {} on the plane {}: the object must lie between them (--light, --plane)",
+                    as_typed(&light.to_array()),
+                    inputs.mesh.as_ref().map_or("the cube", |named| &named.name),
+                    as_typed(&plane.coefficients().to_array())
                 ),
             });
         }
@@ -228,6 +185,7 @@ pub(super) fn draw_normal(sheet: &mut Sheet, view: &View, plane: Plane, foot: DV
     let tip = foot + plane.normal.normalize_or_zero() * length;
     if let (Some(from), Some(to)) = (view.project(foot), view.project(tip)) {
         marks::normal(sheet, from, to);
+        marks::point(sheet, from, Role::Normal);
         let label = Label::new(to, "**n**").towards(to - from).ink(Role::Normal);
         sheet.label(label.beside());
     }

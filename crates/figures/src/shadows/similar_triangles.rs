@@ -7,10 +7,10 @@ use ombra_shadows::planar::cast;
 use crate::colour::{Ink, Role};
 use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Inputs, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
-use crate::number::{exact, round_step};
+use crate::number::{as_typed, exact, round_step};
 use crate::path::Path;
 use crate::section::{Section, axes, ground};
 use crate::sheet::{Align, Label, Sheet};
@@ -24,13 +24,20 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::SimilarTrianglesSummary,
-    caption: Key::SimilarTrianglesCaption,
-    drawn: |sheet, inputs| {
-        let light = inputs.light.unwrap_or(DVec4::new(16.0, 9.0, 0.0, 1.0));
-        Proof::new(light)?.draw(sheet)
+    words: |inputs| match Proof::of(inputs) {
+        Ok(proof) if !proof.leans() => Words {
+            summary: Key::VERTICAL_RAY_SUMMARY,
+            caption: Key::VERTICAL_RAY_CAPTION,
+        },
+        _ => Words {
+            summary: Key::SIMILAR_TRIANGLES_SUMMARY,
+            caption: Key::SIMILAR_TRIANGLES_CAPTION,
+        },
     },
+    drawn: |sheet, inputs| Proof::of(inputs)?.draw(sheet),
 };
+
+const LIGHT: DVec4 = DVec4::new(16.0, 9.0, 0.0, 1.0);
 
 /// Letter size of the formula, and how wide it may be.
 const FORMULA: f64 = 44.0;
@@ -50,10 +57,14 @@ struct Proof {
 }
 
 impl Proof {
+    fn of(inputs: &Inputs) -> Result<Proof, FigureError> {
+        Proof::new(inputs.light.unwrap_or(LIGHT))
+    }
+
     fn new(light: DVec4) -> Result<Proof, FigureError> {
         let light = if light.w < 0.0 { -light } else { light };
         let refused = |why: &str| FigureError::Scene {
-            reason: format!("--light {light} {why}"),
+            reason: format!("--light {} {why}", as_typed(&light.to_array())),
         };
         if light.y <= 0.0 {
             return Err(refused(

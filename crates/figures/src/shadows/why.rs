@@ -6,7 +6,7 @@ use ombra_shadows::planar::cast_onto;
 
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Paint, Pen, THIN};
-use crate::figure::{Figure, Takes};
+use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::panels::panels;
 use crate::patch::Patch;
@@ -22,12 +22,14 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    summary: Key::WhySummary,
-    caption: Key::WhyCaption,
+    words: |_| Words {
+        summary: Key::WHY_SUMMARY,
+        caption: Key::WHY_CAPTION,
+    },
     drawn: |sheet, _| {
         let language = sheet.style().language;
         let lines =
-            [Key::WhyWithout, Key::WhyResting, Key::WhyHovering].map(|key| key.text(language));
+            [Key::WHY_WITHOUT, Key::WHY_RESTING, Key::WHY_HOVERING].map(|key| key.text(language));
         let frames = panels(sheet, &lines, 0.85)?;
 
         // From far away nothing shrinks with distance, so a ball that moves along the sight line keeps its picture.

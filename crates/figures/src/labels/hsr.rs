@@ -1,0 +1,5 @@
+//! Words of the hidden surfaces lecture.
+
+use super::Key;
+
+words! {}

@@ -1,0 +1,3 @@
+//! The figures of the hidden surfaces lecture show what the lecture says.
+
+#![allow(clippy::unwrap_used, clippy::panic)]

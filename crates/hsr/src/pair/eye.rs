@@ -1,0 +1,108 @@
+//! The eye, and how three points turn as seen from it.
+
+use core::cmp::Ordering;
+
+use ombra_math::double_double::{DoubleDouble, UNIT_ROUNDOFF};
+use ombra_math::exact::{Sum, relative};
+use ombra_math::glam::{DVec3, DVec4};
+use ombra_math::homogeneous::project;
+use ombra_math::plane::Plane;
+use ombra_math::predicates::orient_3d;
+
+/// Where from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Eye {
+    /// At a place.
+    Place(DVec3),
+    /// In this direction, infinitely far.
+    Towards(DVec3),
+}
+
+impl Eye {
+    /// `None` for the zero vector and for numbers that are not finite.
+    pub(super) fn new(eye: DVec4) -> Option<Self> {
+        if eye.w != 0.0 {
+            return project(eye).map(Self::Place);
+        }
+        let towards = eye.truncate();
+        (towards.is_finite() && towards != DVec3::ZERO).then_some(Self::Towards(towards))
+    }
+
+    /// How a b c turn as seen: `Greater` counter-clockwise, `Equal` in line or all on one plane with the eye. Exact;
+    /// `None` if a coordinate is not finite.
+    ///
+    /// ```text
+    /// sign of (AB × AC)·AE,   from a direction e   of (AB × AC)·e
+    /// ```
+    pub(super) fn turn(self, a: DVec3, b: DVec3, c: DVec3) -> Option<Ordering> {
+        match self {
+            Self::Place(place) => orient_3d(a, b, c, place),
+            Self::Towards(towards) => turn_along(a, b, c, towards),
+        }
+    }
+
+    /// The plane through two points and the eye, in front of it what turns left: `None` where they are in line with
+    /// the eye.
+    pub(super) fn plane_through(self, a: DVec3, b: DVec3) -> Option<Plane> {
+        match self {
+            Self::Place(place) => Plane::of_triangle(a, b, place).map(|plane| plane.turned()),
+            Self::Towards(towards) => plane_along(a, b, towards).map(|plane| plane.turned()),
+        }
+    }
+}
+
+/// The sign of (AB × AC)·e.
+fn turn_along(a: DVec3, b: DVec3, c: DVec3, e: DVec3) -> Option<Ordering> {
+    let in_range = |p: DVec3| p.to_array().into_iter().all(DoubleDouble::in_range);
+    if [a, b, c, e].into_iter().all(in_range) {
+        let (u, v) = (b - a, c - a);
+        let products = |i: usize, j: usize| (u[i] * v[j], u[j] * v[i]);
+        let (mut sum, mut size) = (0.0, 0.0);
+        for (i, j, k) in [(1, 2, 0), (2, 0, 1), (0, 1, 2)] {
+            let (x, y) = products(i, j);
+            sum += (x - y) * e[k];
+            size += (x.abs() + y.abs()) * e[k].abs();
+        }
+        // Seven roundings at most on the way of each of the six products: differences, products, sums.
+        if sum.abs() > 16.0 * UNIT_ROUNDOFF * size {
+            return sum.partial_cmp(&0.0);
+        }
+    }
+    let minor = |p: DVec3, q: DVec3| {
+        [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
+            .map(|(i, j, k)| [[p[i], q[j], e[k]], [-p[j], q[i], e[k]]])
+            .concat()
+    };
+    Sum::of(&[minor(a, b), minor(b, c), minor(c, a)].concat()).sign()
+}
+
+/// The plane through A and B along e: n = AB × e, d = −n·A = −(A × B)·e … each coefficient rounded once.
+fn plane_along(a: DVec3, b: DVec3, e: DVec3) -> Option<Plane> {
+    let component = |i: usize, j: usize| {
+        let [u, v] = [(i, j, 1.0), (j, i, -1.0)];
+        let minor = |(i, j, sign): (usize, usize, f64)| {
+            [[sign * b[i], e[j], 1.0], [-sign * a[i], e[j], 1.0]]
+        };
+        Sum::of(&[minor(u), minor(v)].concat())
+    };
+    // −(AB × e)·A = −(B × e)·A = (A × e)·B … the determinant of A, B, e with its sign turned.
+    let determinant = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
+        .map(|(i, j, k)| [[-a[i], b[j], e[k]], [a[j], b[i], e[k]]])
+        .concat();
+    let sums = [
+        component(1, 2),
+        component(2, 0),
+        component(0, 1),
+        Sum::of(&determinant),
+    ];
+    let scaled = sums.each_ref().map(Sum::to_scaled);
+    let plane = match *relative(&scaled) {
+        [x, y, z, d] => Plane {
+            normal: DVec3::new(x, y, z),
+            d,
+        },
+        _ => return None,
+    };
+    (plane.normal.is_finite() && plane.d.is_finite() && plane.normal != DVec3::ZERO)
+        .then_some(plane)
+}

@@ -1,0 +1,179 @@
+//! A polygon as seen from an eye, made ready for many comparisons.
+
+use core::cmp::Ordering;
+
+use ombra_math::glam::{DVec3, DVec4};
+use ombra_math::predicates::orient_3d;
+
+use super::bound::Bound;
+use super::eye::Eye;
+use super::{Depths, Side, tolerance};
+use crate::polygon::Polygon;
+
+/// A polygon as seen from an eye: what comparing and cutting ask for again and again.
+///
+/// # Formula
+///
+/// ```text
+/// seen through it:  X with πᵢ·X ≥ 0, all i       πᵢ: plane of the eye and the edge Vᵢ Vᵢ₊₁, its front inside
+/// hidden by it:     of these, X with π·X < 0     π: its own plane, its front towards the eye
+/// ```
+///
+/// # Properties
+///
+/// A polygon is seen from both its sides. Made once for each polygon, comparing a pair takes some 20 ns where they
+/// are far apart.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_hsr::pair::Seen;
+/// use ombra_hsr::polygon::Polygon;
+/// use ombra_math::glam::{DVec3, DVec4};
+///
+/// let triangle = Polygon::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y]).unwrap();
+/// let seen = Seen::new(&triangle, DVec4::Z).unwrap();
+/// let below = DVec3::new(0.25, 0.25, -3.0);
+/// assert!(seen.sides().all(|side| side.distance(below) > 0.0) && seen.front().distance(below) == -3.0);
+/// assert!(Seen::new(&triangle, DVec4::X).is_none()); // edge-on
+/// ```
+///
+/// # References
+///
+/// Grafica 3, «Approccio Object-Space»: the step «proiettare», without a projection.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    pub(super) eye: Eye,
+    /// Counter-clockwise as seen, no vertex twice in a row.
+    pub(super) vertices: Vec<DVec3>,
+    /// Three of them that span the plane, in that order.
+    span: [DVec3; 3],
+    pub(super) scale: f64,
+    pub(super) bound: Bound,
+    front: Side,
+    pub(super) edges: Vec<Edge>,
+}
+
+/// An edge and the plane through it and the eye.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub(super) ends: [DVec3; 2],
+    inside: Side,
+}
+
+impl Seen {
+    /// `polygon` as seen from `eye`, or `None` where it is not: its plane holds the eye, it is no polygon, or that is
+    /// no eye (0, NaN, ∞).
+    #[must_use]
+    pub fn new(polygon: &Polygon, eye: DVec4) -> Option<Self> {
+        let eye = Eye::new(eye)?;
+        let (mut span, mut plane) = polygon.span_and_plane()?;
+        let [a, b, c] = span;
+        let mut vertices = polygon.vertices.clone();
+        match eye.turn(a, b, c)? {
+            Ordering::Greater => {}
+            Ordering::Less => {
+                vertices.reverse();
+                span.reverse();
+                plane = plane.turned();
+            }
+            Ordering::Equal => return None,
+        }
+        vertices.dedup();
+        while vertices.len() > 1 && vertices.first() == vertices.last() {
+            vertices.pop();
+        }
+        let next = vertices.iter().cycle().skip(1);
+        let edges = vertices.iter().zip(next).filter_map(|(&a, &b)| {
+            Some(Edge {
+                ends: [a, b],
+                inside: Side::of(eye.plane_through(a, b)?)?,
+            })
+        });
+        let scale = polygon.scale();
+        Some(Self {
+            eye,
+            edges: edges.collect(),
+            span,
+            scale,
+            bound: Bound::new(eye, &vertices, scale),
+            front: Side::of(plane)?,
+            vertices,
+        })
+    }
+
+    /// The largest coordinate of a vertex, without its sign.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Its plane, the front towards the eye.
+    #[must_use]
+    pub fn front(&self) -> Side {
+        self.front
+    }
+
+    /// The planes through the eye and its edges, their fronts inside.
+    pub fn sides(&self) -> impl Iterator<Item = Side> {
+        self.edges.iter().map(|edge| edge.inside)
+    }
+
+    /// Where the vertices of `other` lie from this plane.
+    pub(super) fn depths_of(&self, other: &Self) -> Depths {
+        let tolerance = tolerance(self.scale.max(other.scale));
+        let mut depths = Depths::default();
+        for &v in &other.vertices {
+            depths.add(self.nearness(v, tolerance));
+        }
+        depths
+    }
+
+    /// Whether `other` is, for certain, on the same side of the plane through `eye` that is parallel to this polygon.
+    pub(super) fn is_ahead(&self, eye: DVec3, other: &Self) -> bool {
+        let scale = self.scale.max(other.scale).max(eye.abs().max_element());
+        let bound = 2.0 * tolerance(scale).max(f64::MIN_POSITIVE);
+        let from = self.front.distance(eye);
+        let mut vertices = other.vertices.iter();
+        vertices.all(|&v| self.front.distance(v) - from < -bound)
+    }
+
+    /// Whether `v` is nearer to the eye than this plane along its sight line (`Greater`), or farther.
+    pub(super) fn nearness(&self, v: DVec3, tolerance: f64) -> Ordering {
+        if self.front.distance(v).abs() <= tolerance {
+            return Ordering::Equal;
+        }
+        let [a, b, c] = self.span;
+        orient_3d(a, b, c, v).unwrap_or(Ordering::Equal)
+    }
+
+    /// Whether `v` lies inside the cone or on its border.
+    pub(super) fn covers(&self, v: DVec3) -> bool {
+        self.edges
+            .iter()
+            .all(|edge| self.turn(edge, v) != Ordering::Less)
+    }
+
+    /// Whether all of `other` lies on or outside the plane through one edge.
+    pub(super) fn has_side_before(&self, other: &Self) -> bool {
+        let outside = |edge: &Edge, v: &DVec3| self.turn(edge, *v) != Ordering::Greater;
+        self.edges
+            .iter()
+            .any(|edge| other.vertices.iter().all(|v| outside(edge, v)))
+    }
+
+    /// How `v` lies from an edge as seen: inside (`Greater`), in line, or outside. Exact.
+    pub(super) fn turn(&self, edge: &Edge, v: DVec3) -> Ordering {
+        // Distances below the normal doubles have lost their digits.
+        let bound = tolerance(self.scale.max(v.abs().max_element())).max(f64::MIN_POSITIVE);
+        let distance = edge.inside.distance(v);
+        if distance > bound {
+            Ordering::Greater
+        } else if distance < -bound {
+            Ordering::Less
+        } else {
+            let [a, b] = edge.ends;
+            self.eye.turn(a, b, v).unwrap_or(Ordering::Equal)
+        }
+    }
+}

@@ -1,0 +1,201 @@
+use super::*;
+use core::f64::consts::TAU;
+use ombra_math::glam::DQuat;
+use proptest::num::f64::ANY;
+use proptest::prelude::*;
+
+fn ring(n: usize, step: usize, radius: f64) -> Vec<DVec3> {
+    let angle = |i: usize| TAU * (i * step) as f64 / n as f64;
+    let at = |t: f64| radius * DVec3::new(libm::cos(t), libm::sin(t), 0.0);
+    (0..n).map(|i| at(angle(i))).collect()
+}
+
+#[test]
+fn a_square_in_any_order_of_corners() {
+    let square = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y].map(|v| 2.0 * v);
+    let [a, b, c, d] = square;
+    let good = Polygon::new(square.to_vec()).unwrap();
+    assert_eq!(
+        (good.area(), good.centroid()),
+        (4.0, Some(DVec3::new(1.0, 1.0, 0.0)))
+    );
+    assert_eq!(good.plane().unwrap().normal.normalize(), DVec3::Z);
+    let back = Polygon::new(vec![d, c, b, a]).unwrap();
+    assert_eq!(back.plane().unwrap().normal.normalize(), -DVec3::Z);
+    for crossed in [[a, c, b, d], [a, b, d, c], [a, c, d, b]] {
+        let error = Polygon::new(crossed.to_vec()).unwrap_err();
+        assert!(matches!(error, PolygonError::NotConvex { .. }), "{error}");
+    }
+}
+
+#[test]
+fn what_is_no_polygon() {
+    let (o, x, y, z) = (DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z);
+    let cases: [(Vec<DVec3>, PolygonError, &str); 9] = [
+        (
+            vec![],
+            PolygonError::TooFew { vertices: 0 },
+            "a polygon needs three vertices at least, not 0",
+        ),
+        (
+            vec![o, x],
+            PolygonError::TooFew { vertices: 2 },
+            "a polygon needs three vertices at least, not 2",
+        ),
+        (
+            vec![o, x, DVec3::INFINITY],
+            PolygonError::Position {
+                vertex: 2,
+                position: DVec3::INFINITY,
+            },
+            "vertex 2 is at [inf, inf, inf]; its coordinates must be finite numbers",
+        ),
+        (
+            vec![o; 3],
+            PolygonError::Collinear,
+            "the vertices lie on one line; a polygon needs a plane",
+        ),
+        (
+            vec![o, x, 2.0 * x, 3.0 * x],
+            PolygonError::Collinear,
+            "the vertices lie on one line; a polygon needs a plane",
+        ),
+        (
+            vec![o, 4.0 * x, 4.0 * (x + y), 3.0 * y + 0.5 * z],
+            PolygonError::NotPlanar {
+                vertex: 3,
+                distance: 0.5,
+                allowed: 4.0 * Polygon::TOLERANCE,
+            },
+            "vertex 3 is 5e-1 away from the plane of the others; at most 3.637978807091713e-12 is allowed",
+        ),
+        // An arrow head, a spike, a spike along an edge.
+        (
+            vec![o, x, 0.25 * (x + y), y],
+            PolygonError::NotConvex { vertex: 2 },
+            "the polygon is not convex at vertex 2; cut it into convex ones",
+        ),
+        (
+            vec![o, x, 2.0 * x, x, x + y, y],
+            PolygonError::NotConvex { vertex: 3 },
+            "the polygon is not convex at vertex 3; cut it into convex ones",
+        ),
+        (
+            vec![o, 2.0 * x, x, x + y, y],
+            PolygonError::NotConvex { vertex: 2 },
+            "the polygon is not convex at vertex 2; cut it into convex ones",
+        ),
+    ];
+    for (vertices, error, text) in cases {
+        assert_eq!(Polygon::new(vertices.clone()), Err(error), "{vertices:?}");
+        assert_eq!(error.to_string(), text);
+    }
+    // NaN is not equal to itself.
+    let nan = Polygon::new(vec![o, DVec3::NAN, y]).unwrap_err();
+    assert!(matches!(nan, PolygonError::Position { vertex: 1, .. }));
+    for tolerance in [f64::NAN, -1.0] {
+        let error = Polygon::with_tolerance(vec![o, x, y], tolerance).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            format!("the tolerance must be 0 or more, not {tolerance}")
+        );
+    }
+    let bent = vec![o, x, x + y, y + 0.5 * z];
+    assert!(Polygon::with_tolerance(bent, 0.5).is_ok());
+}
+
+#[test]
+fn turns_that_never_go_inwards() {
+    for n in [4, 5, 6, 7, 30] {
+        assert!(Polygon::new(ring(n, 1, 3.0)).is_ok(), "{n}");
+        let twice = [ring(n, 1, 3.0), ring(n, 1, 3.0)].concat();
+        assert!(
+            matches!(Polygon::new(twice), Err(PolygonError::NotConvex { .. })),
+            "{n} twice"
+        );
+    }
+    for (n, step) in [(5, 2), (7, 2), (7, 3), (9, 4)] {
+        let star = Polygon::new(ring(n, step, 3.0));
+        assert!(
+            matches!(star, Err(PolygonError::NotConvex { .. })),
+            "{n}/{step}"
+        );
+    }
+}
+
+#[test]
+fn repeated_vertices_and_straight_corners() {
+    let (o, x, y) = (DVec3::ZERO, DVec3::X, DVec3::Y);
+    for vertices in [
+        vec![o, o, x, x, y, y, o],
+        vec![o, 0.25 * x, 0.5 * x, x, y],
+        vec![o, x, 0.5 * (x + y), y, 0.3 * y],
+    ] {
+        let polygon = Polygon::new(vertices).unwrap();
+        assert_eq!(polygon.area(), 0.5);
+        assert_eq!(polygon.plane().unwrap().normal.normalize(), DVec3::Z);
+        // Four additions and products of numbers up to 1.
+        let off = polygon.centroid().unwrap() - (x + y) / 3.0;
+        assert!(off.length() <= 4.0 * f64::EPSILON, "{off}");
+    }
+}
+
+#[test]
+fn every_size() {
+    for e in [-1070, -700, -30, 0, 30, 700, 1021] {
+        let s = libm::scalbn(1.0, e);
+        let vertices = [(1, 1), (5, 2), (6, 5), (2, 4)]
+            .map(|(i, j)| s * DVec3::new(f64::from(i), f64::from(j), 1.0));
+        let polygon = Polygon::new(vertices.to_vec()).unwrap();
+        let plane = polygon.plane().unwrap();
+        assert!(plane.normal.z > 0.0 && plane.normal.x == 0.0, "{e}");
+        let dart = [
+            vertices[0],
+            vertices[1],
+            s * DVec3::new(2.0, 2.0, 1.0),
+            vertices[3],
+        ];
+        assert_eq!(
+            Polygon::new(dart.to_vec()),
+            Err(PolygonError::NotConvex { vertex: 2 }),
+            "{e}"
+        );
+    }
+}
+
+proptest! {
+    /// Convex polygons stay accepted wherever they are moved and turned: their corners are then rounded.
+    #[test]
+    fn rounding_is_allowed_for(
+        n in 3usize..12, axis in prop::array::uniform3(-1.0..1.0), angle in 0.0..6.0,
+        shift in prop::array::uniform3(-1e6..1e6), radius in 1e-3..1e3, straight in any::<bool>(),
+    ) {
+        let axis = DVec3::from(axis).try_normalize().unwrap_or(DVec3::X);
+        let turn = DQuat::from_axis_angle(axis, angle);
+        let mut flat = ring(n, 1, radius);
+        if straight {
+            flat.insert(1, flat[0].lerp(flat[1], 0.3));
+        }
+        let vertices: Vec<_> = flat.iter().map(|&v| turn * v + DVec3::from(shift)).collect();
+        let polygon = Polygon::new(vertices);
+        prop_assert!(polygon.is_ok(), "{polygon:?}");
+        let polygon = polygon.unwrap();
+        let scale = polygon.scale();
+        let expected = 0.5 * n as f64 * radius * radius * libm::sin(TAU / n as f64);
+        // Each corner is off by an ulp of the coordinates, as far as the polygon is wide.
+        let tolerance = 16.0 * n as f64 * f64::EPSILON * scale * radius;
+        prop_assert!((polygon.area() - expected).abs() <= tolerance);
+        let front = polygon.plane().unwrap().normal.normalize();
+        prop_assert!((front - turn * DVec3::Z).length() <= 64.0 * f64::EPSILON * scale / radius * n as f64);
+    }
+
+    #[test]
+    fn never_panics(v in prop::collection::vec(prop::array::uniform3(ANY), 0..7), tolerance in ANY) {
+        let vertices: Vec<_> = v.into_iter().map(DVec3::from).collect();
+        let polygon = Polygon { vertices: vertices.clone() };
+        let _ = (polygon.area(), polygon.centroid(), polygon.plane(), polygon.span());
+        if let Ok(checked) = Polygon::with_tolerance(vertices, tolerance) {
+            prop_assert!(checked.plane().is_some());
+        }
+    }
+}

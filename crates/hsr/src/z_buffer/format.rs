@@ -1,0 +1,153 @@
+//! How a depth is stored: 16 bits, 24 bits, floating point, floating point reversed.
+
+use core::fmt::Debug;
+
+use ombra_math::glam::DVec4;
+use ombra_raster::buffers::U24;
+use ombra_raster::buffers::image::Primitive;
+
+/// A way to store depths; the z-buffer is one and the same for all.
+///
+/// # Formula
+///
+/// ```text
+/// depth   d = (w + z) / 2w     0 on the near plane, 1 on the far one
+/// stored  b bits:    d (2ᵇ − 1), rounded to the nearest integer, ties to even
+///         float:     d, rounded to 24 digits
+///         reversed:  1 − d = (w − z) / 2w, rounded to 24 digits; near and far change places
+/// ```
+///
+/// # Pitfalls
+///
+/// 1 − d computed from a stored d gains nothing: the digits are gone.
+///
+/// # References
+///
+/// Grafica 3, «Algoritmo Z-Buffer». The reversed format is in no deck.
+pub trait DepthFormat: Copy + Debug + Send + Sync + 'static {
+    /// A stored depth.
+    type Stored: Primitive + Debug + Send + Sync + 'static;
+
+    /// Its name in tables: `24 bits`.
+    const NAME: &'static str;
+    /// Whether 1 − depth is stored.
+    const REVERSED: bool;
+    /// The stored value of the far plane, which a cleared buffer holds.
+    const FAR: Self::Stored;
+
+    /// A value that is nearer than nothing: beyond the far plane.
+    #[doc(hidden)]
+    const NEVER: f64 = if Self::REVERSED { -1.0 } else { 2.0 };
+
+    /// A value 0 … 1, of depth or 1 − depth as the format wants it, as it is stored: rounded to nearest.
+    fn encode(value: f64) -> Self::Stored;
+
+    /// What a stored value stands for: a value 0 … 1, of depth or 1 − depth.
+    fn decode(stored: Self::Stored) -> f64;
+
+    /// Whether `a` is strictly nearer to the eye than `b`.
+    #[inline(always)]
+    fn is_nearer(a: Self::Stored, b: Self::Stored) -> bool {
+        if Self::REVERSED { a > b } else { a < b }
+    }
+
+    /// The value that is interpolated and stored, of a point in clip space; 0 … 1 between near and far.
+    #[inline(always)]
+    fn value(p_clip: DVec4) -> f64 {
+        let z = if Self::REVERSED { -p_clip.z } else { p_clip.z };
+        // Halved first: 2w may be beyond the largest double.
+        (0.5 * p_clip.w + 0.5 * z) / p_clip.w
+    }
+}
+
+/// Depth in 16 bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Depth16;
+
+/// Depth in 24 bits, kept in 32.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Depth24;
+
+/// Depth in single precision.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Depth32F;
+
+/// 1 − depth in single precision: the digits are dense where the perspective crowds the depths, at the far end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ReversedDepth32F;
+
+impl DepthFormat for Depth16 {
+    type Stored = u16;
+    const NAME: &'static str = "16 bits";
+    const REVERSED: bool = false;
+    const FAR: u16 = u16::MAX;
+
+    #[inline(always)]
+    fn encode(value: f64) -> u16 {
+        nearest_integer(value.clamp(0.0, 1.0) * f64::from(u16::MAX)) as u16
+    }
+
+    #[inline(always)]
+    fn decode(stored: u16) -> f64 {
+        f64::from(stored) / f64::from(u16::MAX)
+    }
+}
+
+impl DepthFormat for Depth24 {
+    type Stored = u32;
+    const NAME: &'static str = "24 bits";
+    const REVERSED: bool = false;
+    const FAR: u32 = U24::MAX.get();
+
+    #[inline(always)]
+    fn encode(value: f64) -> u32 {
+        nearest_integer(value.clamp(0.0, 1.0) * f64::from(U24::MAX.get())) as u32
+    }
+
+    #[inline(always)]
+    fn decode(stored: u32) -> f64 {
+        f64::from(stored) / f64::from(U24::MAX.get())
+    }
+}
+
+impl DepthFormat for Depth32F {
+    type Stored = f32;
+    const NAME: &'static str = "f32";
+    const REVERSED: bool = false;
+    const FAR: f32 = 1.0;
+
+    #[inline(always)]
+    fn encode(value: f64) -> f32 {
+        value as f32
+    }
+
+    #[inline(always)]
+    fn decode(stored: f32) -> f64 {
+        f64::from(stored)
+    }
+}
+
+impl DepthFormat for ReversedDepth32F {
+    type Stored = f32;
+    const NAME: &'static str = "f32 reversed";
+    const REVERSED: bool = true;
+    const FAR: f32 = 0.0;
+
+    #[inline(always)]
+    fn encode(value: f64) -> f32 {
+        value as f32
+    }
+
+    #[inline(always)]
+    fn decode(stored: f32) -> f64 {
+        f64::from(stored)
+    }
+}
+
+/// The nearest integer of 0 … 2³², ties to even.
+#[inline(always)]
+fn nearest_integer(value: f64) -> u64 {
+    // From 2⁵² to 2⁵³ a double has no place for fractions: the sum is rounded, and its last digits are the integer.
+    const INTEGERS: f64 = (1u64 << 52) as f64;
+    (value + INTEGERS).to_bits() & 0xffff_ffff
+}

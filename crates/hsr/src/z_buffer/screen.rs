@@ -1,0 +1,381 @@
+//! From a mesh to triangles of the picture: transformed, clipped where need be, snapped to sub-pixels.
+
+use core::ops::Range;
+
+use fearless_simd::{Level, dispatch};
+use ombra_clip::homogeneous::{Vertex, clip_polygon};
+use ombra_math::camera::Camera;
+use ombra_math::glam::{DMat4, DVec3, DVec4};
+use ombra_math::mesh::Mesh;
+use ombra_math::view::Viewport;
+use ombra_math::work::{Count, Counter};
+
+use super::DrawError;
+use super::format::DepthFormat;
+
+/// Vertices are moved to multiples of 2⁻⁸ of a pixel.
+pub const SUBPIXEL_BITS: u32 = 8;
+/// Sub-pixels in a pixel.
+pub(super) const SUBPIXELS: i32 = 1 << SUBPIXEL_BITS;
+/// The longest side of a picture that is drawn: coordinates of 26 bits, products of 52, exact in a double.
+pub const MAX_SIDE: u32 = 1 << 15;
+/// Corners lie at most 2¹⁶ pixels from the middle of the picture.
+const GUARD_LOG: u32 = 16;
+
+/// A vertex in the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Corner {
+    /// In sub-pixels.
+    pub(super) x: i32,
+    pub(super) y: i32,
+    /// What the depth format interpolates, 0 … 1.
+    pub(super) value: f64,
+    pub(super) w: f64,
+}
+
+/// Where each corner of a piece of a triangle is in the triangle: the shares of its three corners.
+pub(super) type Weights = [[f64; 3]; 3];
+/// The weights of a triangle in one piece.
+const WHOLE: Weights = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// The planes that a vertex is outside of; CUT where its triangles must be clipped.
+pub(super) type Outcode = u8;
+const PLANES: Outcode = 0b0011_1111;
+const CUT: Outcode = 0b0100_0000;
+
+/// How far beyond the picture corners may lie without being clipped, in half widths and half heights: a power of two, so
+/// that scaling by it is exact.
+#[derive(Clone, Copy, Debug)]
+struct Guard {
+    x: f64,
+    y: f64,
+}
+
+impl Guard {
+    fn new(viewport: Viewport) -> Self {
+        let scale = |side: u32| {
+            let log = side.clamp(1, MAX_SIDE).next_power_of_two().trailing_zeros();
+            f64::from(1u32 << (GUARD_LOG + 1 - log))
+        };
+        Self {
+            x: scale(viewport.width),
+            y: scale(viewport.height),
+        }
+    }
+}
+
+/// The way from clip space to the picture.
+#[derive(Clone, Copy, Debug)]
+struct Screen {
+    guard: Guard,
+    width: f64,
+    height: f64,
+}
+
+impl Screen {
+    fn new(viewport: Viewport) -> Self {
+        Self {
+            guard: Guard::new(viewport),
+            width: f64::from(viewport.width),
+            height: f64::from(viewport.height),
+        }
+    }
+
+    /// Whether all came out finite. Inlined where it is compiled for the processor's vector instructions.
+    #[inline(always)]
+    fn transform<F: DepthFormat>(
+        &self,
+        matrix: DMat4,
+        positions: &[DVec3],
+        corners: &mut [Corner],
+        codes: &mut [Outcode],
+    ) -> bool {
+        let mut all_finite = true;
+        for (&position, (corner, code)) in positions.iter().zip(corners.iter_mut().zip(codes)) {
+            let p_clip = matrix * position.extend(1.0);
+            all_finite &= p_clip.is_finite();
+            *code = self.outcode(p_clip);
+            *corner = self.corner::<F>(p_clip);
+        }
+        all_finite
+    }
+
+    /// Which planes of the view volume `p` is outside of, and whether what it belongs to must be clipped.
+    #[inline(always)]
+    fn outcode(&self, p: DVec4) -> Outcode {
+        let DVec4 { x, y, z, w } = p;
+        let [gx, gy] = [self.guard.x * w, self.guard.y * w];
+        let inside = (z >= -w) & (z <= w) & (x.abs() <= gx) & (y.abs() <= gy) & (w > 0.0);
+        u8::from(x < -w)
+            | u8::from(x > w) << 1
+            | u8::from(y < -w) << 2
+            | u8::from(y > w) << 3
+            | u8::from(z < -w) << 4
+            | u8::from(z > w) << 5
+            | u8::from(!inside) << 6
+    }
+
+    /// Where a point with w > 0 inside the guard band comes out; any other gets some place.
+    #[inline(always)]
+    fn corner<F: DepthFormat>(&self, p: DVec4) -> Corner {
+        let [x, y] = [p.x / p.w, p.y / p.w];
+        let x = 0.5 * (x + 1.0) * self.width;
+        let y = 0.5 * (1.0 - y) * self.height;
+        Corner {
+            x: nearest_subpixel(x),
+            y: nearest_subpixel(y),
+            value: F::value(p),
+            w: p.w,
+        }
+    }
+}
+
+/// ⌊x · 2⁸ + ½⌋ for |x| < 2¹⁸.
+#[inline(always)]
+fn nearest_subpixel(x: f64) -> i32 {
+    // All sums are far from 2⁵², where a half would be lost.
+    let floor = (x * f64::from(SUBPIXELS) + 0.5).floor();
+    // Of what is in range, the integer is in the last digits, below 2⁵² + 2⁵¹.
+    const INTEGERS: f64 = (3u64 << 51) as f64;
+    (floor + INTEGERS).to_bits() as i32
+}
+
+/// The pixels, of `side`, whose centres are between two coordinates in sub-pixels.
+#[inline(always)]
+pub(super) fn centres(least: i32, greatest: i32, side: u32) -> Range<u32> {
+    // ⌈x − ½⌉ to ⌊x − ½⌋, in pixels.
+    let first = ((least + SUBPIXELS / 2 - 1) >> SUBPIXEL_BITS).max(0) as u32;
+    let end = ((greatest + SUBPIXELS / 2) >> SUBPIXEL_BITS).max(0) as u32;
+    first..end.min(side)
+}
+
+/// A mesh as a camera sees it.
+pub(super) struct Scene<'a> {
+    pub(super) triangles: &'a [[u32; 3]],
+    positions: &'a [DVec3],
+    matrix: DMat4,
+    screen: Screen,
+    corners: Vec<Corner>,
+    codes: Vec<Outcode>,
+}
+
+impl<'a> Scene<'a> {
+    /// Checks the input and transforms every vertex once.
+    pub(super) fn new<F: DepthFormat>(
+        mesh: &'a Mesh,
+        camera: &Camera,
+        work: &mut impl Count,
+    ) -> Result<Self, DrawError> {
+        check_indices(mesh)?;
+        let matrix = camera.view_projection;
+        for (i, &value) in matrix.to_cols_array().iter().enumerate() {
+            if !value.is_finite() {
+                let (row, column) = (i % 4, i / 4);
+                return Err(DrawError::Matrix { row, column, value });
+            }
+        }
+        let vertices = mesh.positions.len();
+        let mut scene = Self {
+            triangles: &mesh.triangles,
+            positions: &mesh.positions,
+            matrix,
+            screen: Screen::new(camera.viewport),
+            corners: vec![Corner::default(); vertices],
+            codes: vec![0; vertices],
+        };
+        scene.transform::<F>()?;
+        work.add(Counter::Vertices, vertices as u64);
+        Ok(scene)
+    }
+
+    fn transform<F: DepthFormat>(&mut self) -> Result<(), DrawError> {
+        let (matrix, screen) = (self.matrix, self.screen);
+        let part = |positions: &[DVec3], corners: &mut [Corner], codes: &mut [Outcode]| dispatch!(Level::new(), _ => screen.transform::<F>(matrix, positions, corners, codes));
+        let all_finite = transform_all(self.positions, &mut self.corners, &mut self.codes, part);
+        if all_finite {
+            return Ok(());
+        }
+        for (vertex, &position) in self.positions.iter().enumerate() {
+            if !position.is_finite() {
+                return Err(DrawError::Position { vertex, position });
+            }
+            if !(matrix * position.extend(1.0)).is_finite() {
+                return Err(DrawError::Overflow { vertex, position });
+            }
+        }
+        Ok(())
+    }
+
+    /// Triangle `i` in the picture: no piece if it is outside the view volume, one if it need not be clipped. What
+    /// clipping makes is put into `cut`.
+    #[inline(always)]
+    pub(super) fn pieces<'b, F: DepthFormat>(
+        &'b self,
+        i: usize,
+        cut: &'b mut Pieces,
+        work: &mut impl Count,
+    ) -> PiecesRef<'b> {
+        let nothing = PiecesRef {
+            corners: &[],
+            triangles: &[],
+            weights: &[],
+        };
+        let Some(triangle @ &[a, b, c]) = self.triangles.get(i) else {
+            return nothing;
+        };
+        let code = |i: u32| self.codes.get(i as usize).copied().unwrap_or(PLANES);
+        let [a, b, c] = [code(a), code(b), code(c)];
+        if a & b & c & PLANES != 0 {
+            return nothing;
+        }
+        if (a | b | c) & CUT == 0 {
+            return PiecesRef {
+                corners: &self.corners,
+                triangles: core::slice::from_ref(triangle),
+                weights: &[WHOLE],
+            };
+        }
+        self.clip::<F>(*triangle, cut, work);
+        PiecesRef {
+            corners: &cut.corners,
+            triangles: &cut.triangles,
+            weights: &cut.weights,
+        }
+    }
+
+    /// The rows that triangle `i` may have pixels in; all where it must be clipped.
+    #[cfg(feature = "parallel")]
+    pub(super) fn rows(&self, &[a, b, c]: &[u32; 3], height: u32) -> Range<u32> {
+        let code = |i: u32| self.codes.get(i as usize).copied().unwrap_or(PLANES);
+        let codes = [code(a), code(b), code(c)];
+        let y = |i: u32| self.corners.get(i as usize).map_or(0, |corner| corner.y);
+        let [a, b, c] = [y(a), y(b), y(c)];
+        match codes
+            .iter()
+            .fold((PLANES, 0), |(all, any), code| (all & code, any | code))
+        {
+            (0, any) if any & CUT == 0 => centres(a.min(b).min(c), a.max(b).max(c), height),
+            (0, _) => 0..height,
+            _ => 0..0,
+        }
+    }
+
+    /// The pieces of a triangle that the near plane, the far plane or the guard band cut: a fan.
+    #[cold]
+    fn clip<F: DepthFormat>(&self, triangle: [u32; 3], cut: &mut Pieces, work: &mut impl Count) {
+        let scale = DVec4::new(self.screen.guard.x, self.screen.guard.y, 1.0, 1.0);
+        let mut polygon = [Vertex {
+            position: DVec4::ZERO,
+            attributes: [0.0; 3],
+        }; 3];
+        for ((vertex, index), weights) in polygon.iter_mut().zip(triangle).zip(WHOLE) {
+            let position = self
+                .positions
+                .get(index as usize)
+                .copied()
+                .unwrap_or_default();
+            *vertex = Vertex {
+                position: self.matrix * position.extend(1.0) / scale,
+                attributes: weights,
+            };
+        }
+        let clipped = clip_polygon(&polygon);
+        let new = clipped.iter().filter(|v| !polygon.contains(v)).count();
+        work.add(Counter::Vertices, new as u64);
+        let corner_of = |v: &Vertex<3>| self.screen.corner::<F>(v.position * scale);
+        cut.corners.clear();
+        cut.corners.extend(clipped.iter().map(corner_of));
+        cut.triangles.clear();
+        cut.weights.clear();
+        let fan = (1u32..).zip(clipped.iter().skip(1).zip(clipped.iter().skip(2)));
+        for ((i, (second, third)), first) in fan.zip(clipped.first().into_iter().cycle()) {
+            cut.triangles.push([0, i, i + 1]);
+            cut.weights
+                .push([first, second, third].map(|v| v.attributes));
+        }
+    }
+}
+
+fn check_indices(mesh: &Mesh) -> Result<(), DrawError> {
+    let vertices = mesh.positions.len();
+    let greatest = mesh
+        .triangles
+        .iter()
+        .fold(0, |greatest, &[a, b, c]| greatest.max(a).max(b).max(c));
+    if mesh.triangles.is_empty() || (greatest as usize) < vertices {
+        return Ok(());
+    }
+    for (triangle, corners) in mesh.triangles.iter().enumerate() {
+        if let Some(&index) = corners.iter().find(|&&i| i as usize >= vertices) {
+            return Err(DrawError::Index {
+                triangle,
+                index,
+                vertices,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Calls `part` for all vertices, in parts on several threads; whether it always answered yes.
+#[cfg(feature = "parallel")]
+fn transform_all(
+    positions: &[DVec3],
+    corners: &mut [Corner],
+    codes: &mut [Outcode],
+    part: impl Fn(&[DVec3], &mut [Corner], &mut [Outcode]) -> bool + Sync,
+) -> bool {
+    use rayon::prelude::*;
+    const CHUNK: usize = 4096;
+    if super::threads::number(positions.len()) == 1 {
+        return part(positions, corners, codes);
+    }
+    let out = corners
+        .par_chunks_mut(CHUNK)
+        .zip(codes.par_chunks_mut(CHUNK));
+    let parts = positions.par_chunks(CHUNK).zip(out);
+    parts
+        .map(|(positions, (corners, codes))| part(positions, corners, codes))
+        .reduce(|| true, |a, b| a && b)
+}
+
+#[cfg(not(feature = "parallel"))]
+fn transform_all(
+    positions: &[DVec3],
+    corners: &mut [Corner],
+    codes: &mut [Outcode],
+    part: impl Fn(&[DVec3], &mut [Corner], &mut [Outcode]) -> bool,
+) -> bool {
+    part(positions, corners, codes)
+}
+
+/// The pieces of a triangle.
+#[derive(Debug, Default)]
+pub(super) struct Pieces {
+    corners: Vec<Corner>,
+    triangles: Vec<[u32; 3]>,
+    weights: Vec<Weights>,
+}
+
+/// The pieces of a triangle, wherever they are kept.
+#[derive(Clone, Copy)]
+pub(super) struct PiecesRef<'a> {
+    corners: &'a [Corner],
+    triangles: &'a [[u32; 3]],
+    weights: &'a [Weights],
+}
+
+impl<'a> PiecesRef<'a> {
+    /// The corners of each piece, and their weights.
+    #[inline(always)]
+    pub(super) fn iter(self) -> impl Iterator<Item = ([&'a Corner; 3], &'a Weights)> {
+        let corners = self.corners;
+        self.triangles
+            .iter()
+            .zip(self.weights)
+            .filter_map(move |(&[a, b, c], weights)| {
+                let at = |i: u32| corners.get(i as usize);
+                Some(([at(a)?, at(b)?, at(c)?], weights))
+            })
+    }
+}
