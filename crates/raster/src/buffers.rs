@@ -222,11 +222,10 @@ pub fn paint<P: Pixel>(
                 height,
             });
         };
-        // Whole pixels of a known size are written many at a time.
         match pixel.channels() {
             &[v] => run.fill(v),
-            &[r, g, b] => run.as_chunks_mut().0.fill([r, g, b]),
-            &[r, g, b, a] => run.as_chunks_mut().0.fill([r, g, b, a]),
+            &[r, g, b] => fill_run(run.as_chunks_mut().0, [r, g, b]),
+            &[r, g, b, a] => fill_run(run.as_chunks_mut().0, [r, g, b, a]),
             other => {
                 for pixel in run.chunks_exact_mut(channels.max(1)) {
                     pixel.copy_from_slice(other);
@@ -235,6 +234,41 @@ pub fn paint<P: Pixel>(
         }
     }
     Ok(())
+}
+
+/// `run.fill(pixel)`, for pixels of several channels.
+///
+/// Lengths of runs are hard to predict, so a loop over pixels would be left at a surprising moment each time. Four blocks
+/// that may overlap fill any length from one block to four without a loop; a long run is copied from its own beginning.
+#[inline(always)]
+fn fill_run<P: Copy>(run: &mut [P], pixel: P) {
+    match run.len() {
+        0 => {}
+        1..=4 => fill_blocks(run, [pixel]),
+        5..=16 => fill_blocks(run, [pixel; 4]),
+        17..=64 => fill_blocks(run, [pixel; 16]),
+        length => {
+            fill_blocks(run, [pixel; 16]);
+            let mut filled = 64;
+            while filled < length {
+                let more = filled.min(length - filled);
+                run.copy_within(..more, filled);
+                filled += more;
+            }
+        }
+    }
+}
+
+/// Writes `block` four times from the beginning on, the last ones moved back where the run ends before.
+#[inline(always)]
+fn fill_blocks<P: Copy, const N: usize>(run: &mut [P], block: [P; N]) {
+    let last = run.len().saturating_sub(N);
+    for i in 0..4 {
+        let rest = run.get_mut((i * N).min(last)..).unwrap_or_default();
+        if let Some(place) = rest.first_chunk_mut() {
+            *place = block;
+        }
+    }
 }
 
 #[cfg(test)]
@@ -293,6 +327,27 @@ mod tests {
         check(Luma([1.0f32]), Luma([0.25]));
         check(Luma([0u32]), Luma([U24::MAX.get()]));
         check(LumaA([0u16, 1]), LumaA([2, 3]));
+        check(Rgb([0.0f32; 3]), Rgb([1.0, 2.0, 3.0]));
+        check(Rgba([0u8; 4]), Rgba([1, 2, 3, 4]));
+    }
+
+    #[test]
+    fn a_run_of_any_length_is_painted_and_nothing_beside_it() {
+        fn check<P: Pixel + PartialEq + fmt::Debug>(background: P, pixel: P) {
+            // From 65 pixels on a run is copied from its own beginning, from 257 on three times.
+            for length in 0..=300 {
+                let mut buffer = new(310, 1, background).unwrap();
+                let x = 5..5 + length;
+                paint(&mut buffer, [Span { y: 0, x: x.clone() }], pixel).unwrap();
+                for (at, _, &found) in buffer.enumerate_pixels() {
+                    let expected = if x.contains(&at) { pixel } else { background };
+                    assert_eq!(found, expected, "{at} of {x:?}");
+                }
+            }
+        }
+        check(Luma([7u16]), Luma([9]));
+        check(LumaA([0u8, 1]), LumaA([2, 3]));
+        check(Rgb([0u8; 3]), Rgb([1, 2, 3]));
         check(Rgb([0.0f32; 3]), Rgb([1.0, 2.0, 3.0]));
         check(Rgba([0u8; 4]), Rgba([1, 2, 3, 4]));
     }

@@ -21,6 +21,14 @@
 //!
 //! An edge therefore crosses the rows with top ≤ j + ½ < bottom, and of such a row the columns from ⌈X − ½⌉ on
 //! lie right of its crossing X. Both are decided exactly, for all finite vertices.
+//!
+//! # Plain and fast
+//!
+//! [`fill_plain`] is the method as it is told, and its steps can be looked at: [`edge_table`], then for each row
+//! [`active_edges`] and [`spans_between`]. [`fill`] gives the same spans. It follows each edge from row to row in
+//! rounded arithmetic, and asks the exact predicate only where a crossing comes so near a centre that rounding could
+//! move it past. Between two edges lies one run; the crossings of a few are sorted; those of many are marked in a
+//! table of one bit a pixel, 64 rows at a time, and read off from left to right, so that nothing is compared.
 
 mod edge;
 mod marks;
@@ -38,6 +46,7 @@ use crate::bresenham;
 use crate::span::Span;
 
 pub use edge::Edge;
+use edge::for_each_edge;
 use scan::Scan;
 
 /// Which points are inside contours that cross each other or lie in one another.
@@ -232,8 +241,14 @@ pub fn fill_counted<C: Count>(
     height: u32,
     mut work: C,
 ) -> Result<impl Iterator<Item = Span> + use<C>, PolygonError> {
-    let edges = edges(contours, if width == 0 { 0 } else { height }, &mut work)?;
-    Ok(Scan::new(edges, rule, width, work))
+    let vertices: usize = contours.iter().map(Vec::len).sum();
+    work.add(Counter::Vertices, vertices as u64);
+    let mut scan = Scan::new(vertices, rule, width, work);
+    for_each_edge(contours, if width == 0 { 0 } else { height }, |edge| {
+        scan.add(edge);
+    })?;
+    scan.sort();
+    Ok(scan)
 }
 
 /// [`fill`] as the lecture tells it: for each scan line the active edges, sorted by their crossings, and the
@@ -282,37 +297,10 @@ pub fn fill_plain(
 ///
 /// As [`fill`].
 pub fn edge_table(contours: &[Vec<DVec2>], height: u32) -> Result<Vec<Edge>, PolygonError> {
-    let mut table = edges(contours, height, &mut ())?;
+    let mut table = Vec::new();
+    for_each_edge(contours, height, |edge| table.push(edge))?;
     table.sort_by_key(|edge| edge.rows.start);
     Ok(table)
-}
-
-/// The edges of all contours that cross a row, in the order of the contours.
-fn edges(
-    contours: &[Vec<DVec2>],
-    height: u32,
-    work: &mut impl Count,
-) -> Result<Vec<Edge>, PolygonError> {
-    let mut edges = Vec::with_capacity(contours.iter().map(Vec::len).sum());
-    for (contour, vertices) in contours.iter().enumerate() {
-        work.add(Counter::Vertices, vertices.len() as u64);
-        if let Some(vertex) = vertices.iter().position(|point| !point.is_finite()) {
-            return Err(PolygonError::NotFinite {
-                contour,
-                vertex,
-                point: vertices.get(vertex).copied().unwrap_or(DVec2::NAN),
-            });
-        }
-        let Some(&last) = vertices.last() else {
-            continue;
-        };
-        let mut from = last;
-        for &to in vertices {
-            edges.extend(Edge::new(from, to, height));
-            from = to;
-        }
-    }
-    Ok(edges)
 }
 
 /// Where an active edge crosses a scan line.

@@ -5,12 +5,17 @@
 //! and only one owns it: no gap, no pixel drawn twice.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/triangle-shared-edge.svg"))]
+//!
+//! [`contains`] asks this of one point, [`cover_plain`] of every centre of a picture, as hardware does. [`cover`]
+//! gives the same pixels without looking at those outside: a triangle is convex, so in each row they are one run,
+//! between the two sides that cross it.
 
 use core::cmp::Ordering;
 use core::fmt;
 
 use ombra_math::glam::DVec2;
 use ombra_math::predicates::orient_2d;
+use ombra_math::work::{Count, Counter};
 
 use crate::polygon::Edge;
 use crate::polygon::step::{Steps, hull};
@@ -213,17 +218,53 @@ pub fn cover(
     width: u32,
     height: u32,
 ) -> Result<impl Iterator<Item = Span> + use<>, TriangleError> {
-    if let Some(vertex) = triangle.iter().position(|point| !point.is_finite()) {
-        return Err(TriangleError::NotFinite {
-            vertex,
-            point: triangle.get(vertex).copied().unwrap_or(DVec2::NAN),
-        });
-    }
+    cover_counted(triangle, width, height, ())
+}
+
+/// [`cover`], counting its work as [`fill_counted`](crate::polygon::fill_counted) does: vertices read, edge records
+/// (one for each side that crosses a row, two for each row), fragments, and crossings that only exact arithmetic
+/// could settle.
+///
+/// # Properties
+///
+/// Counted as the spans are asked for: of a row that nobody asks for, nothing.
+///
+/// # Errors
+///
+/// As [`cover`].
+///
+/// # Examples
+///
+/// The slanted side of this triangle runs through a centre in each of its 4 rows:
+///
+/// ```
+/// use ombra_math::glam::DVec2;
+/// use ombra_math::work::Work;
+/// use ombra_raster::triangle::cover_counted;
+///
+/// let triangle = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(DVec2::from);
+/// let mut work = Work::default();
+/// let spans = cover_counted(triangle, 8, 8, &mut work).unwrap().count();
+/// assert_eq!(spans, 3);
+/// assert_eq!(
+///     work.to_string(),
+///     "6 fragments, 3 vertices, 10 edge records, 4 exact fallbacks"
+/// );
+/// ```
+pub fn cover_counted<C: Count>(
+    triangle: [DVec2; 3],
+    width: u32,
+    height: u32,
+    mut work: C,
+) -> Result<impl Iterator<Item = Span> + use<C>, TriangleError> {
+    check(triangle)?;
+    work.add(Counter::Vertices, 3);
     let [a, b, c] = triangle;
     let height = if width == 0 { 0 } else { height };
     // Every row that one side crosses, exactly one other crosses too.
     let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| {
         Edge::new(from, to, height).map(|edge| {
+            work.add(Counter::EdgeRecords, 1);
             let steps = Steps::new(&edge, width);
             (edge, steps)
         })
@@ -240,10 +281,17 @@ pub fn cover(
             .iter()
             .flatten()
             .filter(|(edge, _)| edge.rows.contains(&y))
-            .map(|(edge, steps)| steps.column(edge, y, width, &mut ()));
+            .map(|(edge, steps)| {
+                work.add(Counter::EdgeRecords, 1);
+                steps.column(edge, y, width, &mut work)
+            });
         let (first, second) = (columns.next()?, columns.next()?);
-        let x = first.min(second)..first.max(second);
-        (!x.is_empty()).then_some(Span { y, x })
+        let span = Span {
+            y,
+            x: first.min(second)..first.max(second),
+        };
+        work.add(Counter::Fragments, u64::from(span.len()));
+        (!span.is_empty()).then_some(span)
     }))
 }
 
@@ -279,12 +327,7 @@ pub fn cover_by(
     width: u32,
     height: u32,
 ) -> Result<impl Iterator<Item = Span> + use<>, TriangleError> {
-    if let Some(vertex) = triangle.iter().position(|point| !point.is_finite()) {
-        return Err(TriangleError::NotFinite {
-            vertex,
-            point: triangle.get(vertex).copied().unwrap_or(DVec2::NAN),
-        });
-    }
+    check(triangle)?;
     Ok((0..height).filter_map(move |y| {
         let centre = |x| DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let mut inside = (0..width).filter(|&x| contains(triangle, centre(x), rule));
@@ -296,6 +339,14 @@ pub fn cover_by(
             x: start..last + 1,
         })
     }))
+}
+
+/// Refuses the first vertex that is not finite.
+fn check(triangle: [DVec2; 3]) -> Result<(), TriangleError> {
+    match (0..).zip(triangle).find(|(_, point)| !point.is_finite()) {
+        Some((vertex, point)) => Err(TriangleError::NotFinite { vertex, point }),
+        None => Ok(()),
+    }
 }
 
 /// A vertex moved to the nearest multiple of 2⁻ᵇⁱᵗˢ, as hardware with `bits` of sub-pixel precision stores it.

@@ -10,6 +10,8 @@ use ombra_math::exact::Sum;
 use ombra_math::glam::DVec2;
 use ombra_math::predicates::orient_2d;
 
+use super::PolygonError;
+
 /// An edge that at least one row of pixel centres crosses: a record of the edge table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
@@ -55,13 +57,22 @@ impl Edge {
     #[must_use]
     #[inline]
     pub fn new(from: DVec2, to: DVec2, height: u32) -> Option<Self> {
-        let (top, bottom, winding) = if from.y < to.y {
-            (from, to, 1)
-        } else {
-            (to, from, -1)
+        if !from.is_finite() || !to.is_finite() {
+            return None;
+        }
+        let below = [from, to].map(|end| first_centre(end.y, height));
+        Self::between(from, to, below)
+    }
+
+    /// The same, given for either end the first row whose centres do not lie above it.
+    #[inline]
+    pub(super) fn between(from: DVec2, to: DVec2, [from_row, to_row]: [u32; 2]) -> Option<Self> {
+        let (top, bottom, winding, rows) = match from_row.cmp(&to_row) {
+            Ordering::Less => (from, to, 1, from_row..to_row),
+            Ordering::Greater => (to, from, -1, to_row..from_row),
+            Ordering::Equal => return None,
         };
-        let rows = first_centre(top.y, height)..first_centre(bottom.y, height);
-        (!rows.is_empty() && from.is_finite() && to.is_finite()).then_some(Self {
+        Some(Self {
             top,
             bottom,
             winding,
@@ -121,6 +132,36 @@ impl Edge {
         ];
         Sum::of(&numerator).quotient(&Sum::of(&[[b.y, 1.0, 1.0], [-a.y, 1.0, 1.0]]))
     }
+}
+
+/// Takes the edges of all contours that cross a row, in the order of the contours.
+pub(super) fn for_each_edge(
+    contours: &[Vec<DVec2>],
+    height: u32,
+    mut take: impl FnMut(Edge),
+) -> Result<(), PolygonError> {
+    for (contour, vertices) in contours.iter().enumerate() {
+        let mut points = (0..).zip(vertices);
+        if let Some((vertex, &point)) = points.find(|(_, point)| !point.is_finite()) {
+            return Err(PolygonError::NotFinite {
+                contour,
+                vertex,
+                point,
+            });
+        }
+        let Some(&last) = vertices.last() else {
+            continue;
+        };
+        let (mut from, mut from_row) = (last, first_centre(last.y, height));
+        for &point in vertices {
+            let row = first_centre(point.y, height);
+            if let Some(edge) = Edge::between(from, point, [from_row, row]) {
+                take(edge);
+            }
+            (from, from_row) = (point, row);
+        }
+    }
+    Ok(())
 }
 
 /// ⌈t − ½⌉ within 0 … `count`: the first row, or column, whose centre does not come before `t`.

@@ -65,28 +65,27 @@ impl Marks {
         let rows = steps.stepped.start.max(self.first)..steps.stepped.end.min(end);
         work.add(Counter::EdgeRecords, u64::from(rows.end - rows.start));
         let words = self.words();
-        let place = (rows.start - self.first) as usize * words;
+        let mut place = (rows.start - self.first) as usize * words;
         let columns = Columns::new(edge, steps, rows, self.width, work);
         // A row's bits begin a row's words after those of the row before.
-        let bits = self.bits.get_mut(place..).unwrap_or_default();
-        let bit_rows = bits.chunks_exact_mut(words);
         match self.rule {
             FillRule::EvenOdd => {
-                for (row, column) in bit_rows.zip(columns) {
-                    if let Some(word) = row.get_mut(column as usize / 64) {
+                for column in columns {
+                    if let Some(word) = self.bits.get_mut(place + column as usize / 64) {
                         *word ^= 1 << (column % 64);
                     }
+                    place += words;
                 }
             }
             FillRule::NonZero => {
-                let gains = self.gains.get_mut(place * 64..).unwrap_or_default();
-                let rows = bit_rows.zip(gains.chunks_exact_mut(words * 64));
-                for ((row, gains), column) in rows.zip(columns) {
-                    let word = row.get_mut(column as usize / 64);
-                    if let (Some(word), Some(gain)) = (word, gains.get_mut(column as usize)) {
+                for column in columns {
+                    let word = self.bits.get_mut(place + column as usize / 64);
+                    let gain = self.gains.get_mut(place * 64 + column as usize);
+                    if let (Some(word), Some(gain)) = (word, gain) {
                         *word |= 1 << (column % 64);
                         *gain += edge.winding;
                     }
+                    place += words;
                 }
             }
         }
@@ -117,7 +116,7 @@ impl Marks {
 
 /// The columns of an edge, row after row.
 struct Columns<'a, C> {
-    /// X + ½ in fixed point: its integer part is the column, its fraction tells of doubt.
+    /// X + ½ + [`MARGIN`] in fixed point. Unless its fraction is at most twice the margin, its integer part is the column.
     x: i64,
     slope: i64,
     row: u32,
@@ -134,7 +133,7 @@ impl<'a, C: Count> Columns<'a, C> {
         let unit = f64::from(1 << FRACTION);
         let x = steps.x + steps.slope * f64::from(rows.start - steps.stepped.start);
         Self {
-            x: ((x + 0.5) * unit) as i64,
+            x: ((x + 0.5) * unit) as i64 + DOUBT,
             slope: (steps.slope * unit) as i64,
             row: rows.start,
             end: rows.end,
@@ -153,16 +152,35 @@ impl<C: Count> Iterator for Columns<'_, C> {
         if self.row >= self.end {
             return None;
         }
-        let fraction = self.x.wrapping_add(DOUBT) & ((1 << FRACTION) - 1);
-        let column = if fraction > 2 * DOUBT {
-            (self.x >> FRACTION).clamp(0, i64::from(self.width)) as u32
+        let doubt = self.x & ((1 << FRACTION) - 1) <= 2 * DOUBT;
+        let column = self.x >> FRACTION;
+        let column = if doubt || column as u64 > u64::from(self.width) {
+            doubtful(
+                self.edge,
+                self.x - DOUBT,
+                self.row,
+                self.width,
+                doubt,
+                self.work,
+            )
         } else {
-            let x = self.x as f64 / f64::from(1 << FRACTION) - 0.5;
-            settle(self.edge, x, self.row, self.width, self.work)
+            column as u32
         };
         // A slope too steep for fixed point is that of an edge of one row.
         self.x = self.x.wrapping_add(self.slope);
         self.row += 1;
         Some(column)
+    }
+}
+
+/// The column where there is doubt, or where it lies outside the picture.
+#[cold]
+#[inline(never)]
+fn doubtful(edge: &Edge, x: i64, row: u32, width: u32, doubt: bool, work: &mut impl Count) -> u32 {
+    if doubt {
+        let x = x as f64 / f64::from(1 << FRACTION) - 0.5;
+        settle(edge, x, row, width, work)
+    } else {
+        (x >> FRACTION).clamp(0, i64::from(width)) as u32
     }
 }

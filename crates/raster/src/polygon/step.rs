@@ -15,7 +15,7 @@ pub(super) const MARGIN: f64 = 1.0 / (1u64 << 14) as f64;
 /// Largest |x| of an end whose crossings are computed without exact arithmetic.
 const REACH: f64 = (1u64 << 33) as f64;
 /// An edge of more rows that leaves the picture is cut where it does.
-const MANY_ROWS: usize = 1024;
+const MANY_ROWS: u32 = 1024;
 /// Adding it leaves no bit for a fraction: the sum is rounded to the nearest integer, kept in the low bits.
 const TO_INTEGER: f64 = (3u64 << 51) as f64;
 
@@ -38,51 +38,51 @@ impl Steps {
     /// The crossings of `edge` in a picture `width` columns wide.
     #[inline]
     pub fn new(edge: &Edge, width: u32) -> Self {
+        Self::near(edge, width).unwrap_or_else(|| Self::far(edge, width))
+    }
+
+    /// The same without exact arithmetic; `None` for an edge with an end so far away that its crossings would lose
+    /// their digits, or so long that walking along it outside the picture would cost more than finding where it enters.
+    #[inline(always)]
+    pub fn near(edge: &Edge, width: u32) -> Option<Self> {
         let (a, b) = (edge.top, edge.bottom);
-        let height = b.y - a.y;
-        let everywhere = edge.rows.clone();
-        let nowhere = edge.rows.end..edge.rows.end;
-        let steps = |x: f64, slope: f64| Self {
-            left: nowhere.clone(),
-            stepped: everywhere.clone(),
-            x,
-            slope,
+        let Range { start, end } = edge.rows;
+        let steps = |left_end, stepped_end, x, slope| {
+            Some(Self {
+                left: start..left_end,
+                stepped: left_end..stepped_end,
+                x,
+                slope,
+            })
         };
-        let (least, most) = (a.x.min(b.x), a.x.max(b.x));
+        let (least, most) = if a.x < b.x { (a.x, b.x) } else { (b.x, a.x) };
         let last_centre = f64::from(width) - 0.5;
         if most <= 0.5 {
-            return Self {
-                left: everywhere.clone(),
-                stepped: nowhere.clone(),
-                ..steps(0.0, 0.0)
-            };
+            return steps(end, end, 0.0, 0.0);
         }
         if least > last_centre {
-            return Self {
-                stepped: nowhere.clone(),
-                ..steps(0.0, 0.0)
-            };
+            return steps(start, start, 0.0, 0.0);
         }
-        let leaves = least <= 0.5 || most > last_centre;
         // With |x| ≤ B = 2³³ and u = 2⁻⁵³, the crossing in the first row is within 11 uB, the slope within 3u of
         // itself, the stepped crossing within 20 uB < 2⁻¹⁵. No vertical distance enters but as a ratio up to 1.
+        let height = b.y - a.y;
         let in_reach = least >= -REACH && most <= REACH && height < f64::INFINITY;
-        if !in_reach || (leaves && everywhere.len() > MANY_ROWS) {
-            return Self::clipped(edge, width);
+        let leaves = least <= 0.5 || most > last_centre;
+        if !in_reach || (leaves && end - start > MANY_ROWS) {
+            return None;
         }
         if a.x == b.x {
             // One column for all rows; as an integer it is never in doubt.
-            return steps(f64::from(first_centre(a.x, width)), 0.0);
+            return steps(start, end, f64::from(first_centre(a.x, width)), 0.0);
         }
         let slope = (b.x - a.x) / height;
-        let centre = f64::from(edge.rows.start) + 0.5;
-        steps(a.x + slope * (centre - a.y), slope)
+        let centre = f64::from(start) + 0.5;
+        steps(start, end, a.x + slope * (centre - a.y), slope)
     }
 
-    /// The same for an edge with an end so far away that its crossings would lose their digits, or so long that
-    /// walking along it outside the picture would cost more than finding where it enters.
+    /// The same for all others.
     #[cold]
-    fn clipped(edge: &Edge, width: u32) -> Self {
+    pub fn far(edge: &Edge, width: u32) -> Self {
         let rows = edge.rows.clone();
         let last = width.saturating_sub(1);
         // Columns rise with the rows or fall: either way the picture's part lies between two rows.
@@ -126,13 +126,19 @@ impl Steps {
     #[inline]
     pub fn column(&self, edge: &Edge, row: u32, width: u32, work: &mut impl Count) -> u32 {
         if self.stepped.contains(&row) {
-            let x = self.x + self.slope * f64::from(row - self.stepped.start);
-            nearest(x, width).unwrap_or_else(|| settle(edge, x, row, width, work))
+            self.stepped_column(edge, row, width, work)
         } else if self.left.contains(&row) {
             0
         } else {
             width
         }
+    }
+
+    /// The same in one of the stepped rows.
+    #[inline(always)]
+    pub fn stepped_column(&self, edge: &Edge, row: u32, width: u32, work: &mut impl Count) -> u32 {
+        let x = self.x + self.slope * f64::from(row.wrapping_sub(self.stepped.start));
+        nearest(x, width).unwrap_or_else(|| settle(edge, x, row, width, work))
     }
 }
 
@@ -158,13 +164,13 @@ pub(crate) fn nearest(x: f64, width: u32) -> Option<u32> {
 #[cold]
 #[inline(never)]
 pub(crate) fn settle(edge: &Edge, x: f64, row: u32, width: u32, work: &mut impl Count) -> u32 {
-    work.add(Counter::ExactFallbacks, 1);
     let column = x.floor();
     if column < 0.0 {
         0
     } else if column >= f64::from(width) {
         width
     } else {
+        work.add(Counter::ExactFallbacks, 1);
         let column = column as u32;
         column + u32::from(edge.has_on_left(column, row))
     }

@@ -102,6 +102,16 @@ fn several_contours() {
 }
 
 #[test]
+fn beyond_the_left_border() {
+    // Two rectangles that begin left of the picture: it begins wound round twice, and two edges are left to cross.
+    let rectangle = |right| contour(&[(-4.0, 1.0), (right, 1.0), (right, 3.0), (-4.0, 3.0)]);
+    let contours = [rectangle(3.0), rectangle(5.0)];
+    let rows = |row| [".......", row, row, "......."];
+    assert_eq!(grid(&contours, FillRule::NonZero, 7, 4), rows("#####.."));
+    assert_eq!(grid(&contours, FillRule::EvenOdd, 7, 4), rows("...##.."));
+}
+
+#[test]
 fn centres_on_edges_and_vertices() {
     // A square with its sides through centres takes its top and left ones, as often as its area says.
     let square = [contour(&[(1.5, 0.5), (3.5, 0.5), (3.5, 2.5), (1.5, 2.5)])];

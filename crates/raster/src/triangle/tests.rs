@@ -1,5 +1,6 @@
 use super::*;
-use crate::polygon::{FillRule, fill};
+use crate::polygon::{FillRule, fill, fill_counted};
+use ombra_math::work::Work;
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -78,6 +79,57 @@ fn slivers() {
     );
     let beside = triangle([(x, 0.0), (x, 8.0), (x.next_down(), 4.0)]);
     assert!(spans(beside, 8, 8).is_empty());
+}
+
+/// The work counted, and the spans.
+fn counted(triangle: [DVec2; 3], width: u32, height: u32) -> (Work, Vec<Span>) {
+    let mut work = Work::default();
+    let spans = cover_counted(triangle, width, height, &mut work).unwrap();
+    let spans = spans.collect();
+    (work, spans)
+}
+
+/// Fragments, edge records, exact fallbacks.
+fn counts(work: &Work) -> [u64; 3] {
+    [work.fragments, work.edge_records, work.exact_fallbacks]
+}
+
+#[test]
+fn work_is_counted() {
+    // Two sides cross rows, the horizontal one none. The slanted one, x = 4 − 2y, crosses the rows of centres at 3
+    // and 1: 3 + 1 pixels, nothing in doubt. 2 records for the sides, 2 for each of the rows.
+    let wide = triangle([(0.0, 0.0), (4.0, 0.0), (0.0, 2.0)]);
+    let (work, _) = counted(wide, 8, 8);
+    assert_eq!((work.vertices, counts(&work)), (3, [4, 6, 0]));
+    // x = 4 − y runs through a centre in each row; the centre belongs to what lies right of it: 3 + 2 + 1 + 0.
+    let steep = triangle([(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)]);
+    let (work, spans) = counted(steep, 8, 8);
+    assert_eq!((spans.len(), counts(&work)), (3, [6, 10, 4]));
+    // A picture of the two upper rows; one of the two left columns, where two rows are as wide as it is.
+    assert_eq!(counts(&counted(steep, 8, 2).0), [5, 2 + 4, 2]);
+    assert_eq!(counted(steep, 2, 8).0.fragments, 2 + 2 + 1);
+    // Three sides that cross rows, and 4 rows.
+    let leaning = triangle([(1.0, 0.0), (5.0, 2.0), (2.0, 4.0)]);
+    assert_eq!(counted(leaning, 8, 8).0.edge_records, 3 + 2 * 4);
+    // Beside the picture no row is looked at, above it no side enters.
+    let shifted = |x, y| steep.map(|p| p + DVec2::new(x, y));
+    assert_eq!(counts(&counted(shifted(9.0, 0.0), 8, 8).0), [0, 2, 0]);
+    assert_eq!(counts(&counted(shifted(-9.0, 0.0), 8, 8).0), [0, 2, 0]);
+    assert_eq!(counts(&counted(shifted(0.0, -9.0), 8, 8).0), [0, 0, 0]);
+    // However tall: the rows of the picture.
+    let tower = triangle([(1.0, -1e9), (1e9, 0.0), (1.0, 1e9)]);
+    // Where its slanted side comes, on half columns far to the right, there is nothing to decide.
+    assert_eq!(counts(&counted(tower, 4, 100).0), [300, 2 + 2 * 100, 0]);
+}
+
+#[test]
+fn work_is_counted_as_spans_are_asked_for() {
+    let steep = triangle([(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)]);
+    let mut work = Work::default();
+    let mut spans = cover_counted(steep, 8, 8, &mut work).unwrap();
+    assert_eq!(spans.next(), Some(Span { y: 0, x: 0..3 }));
+    drop(spans);
+    assert_eq!((work.vertices, counts(&work)), (3, [3, 2 + 2, 1]));
 }
 
 /// About a picture of 12 pixels: a third on centres, a third within 10⁻¹² of them.
@@ -160,6 +212,16 @@ proptest! {
             let filled: Vec<_> = fill(&[vec![a, b, c]], rule, width, height).unwrap().collect();
             prop_assert_eq!(&fast, &filled);
         }
+    }
+
+    /// Inside the picture, the fill of polygons does the same work.
+    #[test]
+    fn work_is_that_of_the_fill(corners in prop::collection::vec(prop::array::uniform2(4..44i32), 3)) {
+        let corners: Vec<_> = corners.iter().map(|&[x, y]| DVec2::new(f64::from(x), f64::from(y)) / 4.0).collect();
+        let (work, _) = counted([corners[0], corners[1], corners[2]], 12, 12);
+        let mut filled = Work::default();
+        fill_counted(&[corners], FillRule::NonZero, 12, 12, &mut filled).unwrap().for_each(drop);
+        prop_assert_eq!(work, filled);
     }
 
     #[test]

@@ -68,6 +68,15 @@ fn coordinate() -> impl Strategy<Value = f64> {
     ]
 }
 
+/// About a picture of 83 or 90 pixels, and as far beyond it on either side.
+fn about_the_picture() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        3 => (-80i32..170).prop_map(|k| f64::from(k) + 0.5),
+        1 => (-320i32..680).prop_map(|k| f64::from(k) / 4.0),
+        1 => -80.0..170.0f64,
+    ]
+}
+
 fn contours(vertices: Range<usize>) -> impl Strategy<Value = Contours> {
     let vertex = [coordinate(), coordinate()].prop_map(DVec2::from_array);
     prop::collection::vec(prop::collection::vec(vertex, vertices), 0..3)
@@ -185,6 +194,30 @@ proptest! {
             let fast = spans(&contours, rule, width, 90);
             let plain: Vec<_> = fill_plain(&contours, rule, width, 90).unwrap().collect();
             prop_assert!(are_in_form(&fast, width, 90));
+            prop_assert_eq!(fast, plain);
+        }
+    }
+
+    /// The same about the picture: most vertices on centres, so that edges meet centres, and many beyond its sides.
+    #[test]
+    fn forms_agree_in_bands(vertices in prop::collection::vec([about_the_picture(), about_the_picture()], 24..60)) {
+        let contours = [vertices.into_iter().map(DVec2::from_array).collect::<Vec<_>>()];
+        for rule in RULES {
+            let fast = spans(&contours, rule, 83, 90);
+            let plain: Vec<_> = fill_plain(&contours, rule, 83, 90).unwrap().collect();
+            prop_assert!(are_in_form(&fast, 83, 90));
+            prop_assert_eq!(fast, plain);
+        }
+    }
+
+    /// Edges that pass a column of centres at a distance that fixed point cannot tell, on either side or across.
+    #[test]
+    fn forms_agree_along_a_column(vertices in prop::collection::vec((-200i32..201, -20.0..110.0f64), 24..60)) {
+        let vertex = |(m, y)| DVec2::new(40.5 + f64::from(m) * libm::scalbn(1.0, -26), y);
+        let contours = [vertices.into_iter().map(vertex).collect::<Vec<_>>()];
+        for rule in RULES {
+            let fast = spans(&contours, rule, 83, 90);
+            let plain: Vec<_> = fill_plain(&contours, rule, 83, 90).unwrap().collect();
             prop_assert_eq!(fast, plain);
         }
     }
