@@ -6,7 +6,7 @@
 //! | [`shadow`] | the planar shadow of one vertex as an exact fraction, its decision and its condition |
 //! | [`region`] | containment and blocking for shadow polygons, by exact signs |
 //! | [`pixel`] | the pixels of a segment and of a triangle, by definition |
-//! | [`clipping`] | what of a segment lies in a rectangle, to the nearest double; areas of polygons |
+//! | [`clipping`] | what of a segment lies in a rectangle, a box, the view volume, to the nearest double; polygons in the view volume; areas |
 //! | [`cases`] | random input spread over the whole range of exponents, a third of it next to a degenerate case |
 //! | [`topic_index`] | the README's table of topics, taken apart |
 

@@ -10,8 +10,9 @@ use ombra_math::double_double::{DoubleDouble, UNIT_ROUNDOFF};
 use ombra_math::exact::Sum;
 use ombra_math::glam::{DVec2, Vec2Swizzles};
 use ombra_math::predicates::orient_2d;
+use ombra_math::work::{Count, Counter};
 
-use crate::lanes::{Mask, and, at_most, equal, first_bits, less, opaque, or, turn};
+use crate::lanes::{Mask, and, equal, first_bits, less};
 use crate::segment::Segment;
 use crate::window::{Line, Window};
 
@@ -62,6 +63,12 @@ pub fn at_y(segment: Segment, y: f64) -> Option<f64> {
     at_x(Segment::new(segment.a.yx(), segment.b.yx()), y)
 }
 
+mod entries;
+mod queue;
+
+pub(crate) use entries::two_entries;
+pub(crate) use queue::{LENGTH, Queue};
+
 /// The point where a segment with ends on both sides of `line` crosses it; NaN for one that does not. Never −0.
 #[inline]
 pub(crate) fn cut(segment: Segment, line: Line) -> DVec2 {
@@ -69,77 +76,6 @@ pub(crate) fn cut(segment: Segment, line: Line) -> DVec2 {
     match line {
         Line::Vertical(x) => DVec2::new(x, at(x, [a.x, b.x], [a.y, b.y])),
         Line::Horizontal(y) => DVec2::new(at(y, [a.y, b.y], [a.x, b.x]), y),
-    }
-}
-
-/// Where two segments, each from outside, enter the window.
-pub(crate) struct Entries {
-    /// The x and the y of both.
-    pub(crate) x: DVec2,
-    pub(crate) y: DVec2,
-    /// Which of the two are at an upright side.
-    pub(crate) upright: Mask,
-    /// Which are certain: in the window, and not at a corner.
-    pub(crate) certain: Mask,
-    /// Along their side: the crossing with its line, the first end, the side.
-    along: DVec2,
-    end: DVec2,
-    low: DVec2,
-    high: DVec2,
-    rounded: Mask,
-}
-
-impl Entries {
-    /// Which do not exist, for certain.
-    #[inline]
-    pub(crate) fn missed(&self) -> Mask {
-        // Beyond a side that the end is not beyond, it misses. At a corner, rounding may have chosen the wrong line.
-        let below = and(less(self.along, self.low), at_most(self.low, self.end));
-        let above = and(less(self.high, self.along), at_most(self.end, self.high));
-        and(self.rounded, or(below, above))
-    }
-}
-
-/// Fast form: where two segments at once enter the window, each coming from outside; x and y of their first ends and of
-/// their second ones, and how far within the window the first ends are in x and in y, negative outside.
-///
-/// Without branches: on random segments a wrong guess of the processor costs more than the arithmetic.
-#[inline(always)]
-pub(crate) fn two_entries(
-    window: &Window,
-    [ax, ay]: [DVec2; 2],
-    [bx, by]: [DVec2; 2],
-    [within_x, within_y]: [DVec2; 2],
-) -> Entries {
-    let splat = DVec2::splat;
-    let (min_x, min_y) = (splat(window.min.x), splat(window.min.y));
-    let (max_x, max_y) = (splat(window.max.x), splat(window.max.y));
-    // The corner next to an end, or the foot on the side next to it. Of its lines, the one that is met last counts.
-    let corner_x = ax.max(min_x).min(max_x) + 0.0;
-    let corner_y = ay.max(min_y).min(max_y) + 0.0;
-    let (dx, dy) = ((bx - ax).abs(), (by - ay).abs());
-    let upright = opaque(and(
-        less(within_x, DVec2::ZERO),
-        at_most(within_x * dy, within_y * dx),
-    ));
-    // Turn the plane so that this line is upright.
-    let [a, along_a] = turn(upright, ax, ay);
-    let [b, along_b] = turn(upright, bx, by);
-    let [c, _] = turn(upright, corner_x, corner_y);
-    let [_, low] = turn(upright, min_x, min_y);
-    let [_, high] = turn(upright, max_x, max_y);
-    let (along, rounded) = two_at(c, [a, b], [along_a, along_b]);
-    let [x, y] = turn(upright, c, along);
-    Entries {
-        x,
-        y,
-        upright,
-        certain: and(rounded, and(less(low, along), less(along, high))),
-        along,
-        end: along_a,
-        low,
-        high,
-        rounded,
     }
 }
 
@@ -191,9 +127,48 @@ pub(crate) fn compare_exactly(segment: Segment, line: Line, limit: f64) -> Order
     }
 }
 
-/// Which of two lines a segment that crosses both meets first.
-pub(crate) fn order(segment: Segment, first: Line, second: Line) -> Ordering {
+/// [`compare_exactly`], in doubles where their error bound allows.
+#[inline]
+pub(crate) fn compare_quickly(segment: Segment, line: Line, limit: f64) -> Ordering {
     let Segment { a, b } = segment;
+    // How far the crossing is beyond the limit, times the height of b above a.
+    let (height, left, right) = match line {
+        Line::Vertical(x) => (
+            b.x - a.x,
+            (x - a.x) * (b.y - a.y),
+            (limit - a.y) * (b.x - a.x),
+        ),
+        Line::Horizontal(y) => (
+            b.y - a.y,
+            (y - a.y) * (b.x - a.x),
+            (limit - a.x) * (b.y - a.y),
+        ),
+    };
+    let (difference, size) = (left - right, left.abs() + right.abs());
+    // Each product has three roundings, and their difference one.
+    if difference.abs() > 4.0 * f64::EPSILON * size && size > 1.0 / LARGE {
+        if (difference > 0.0) == (height > 0.0) {
+            Ordering::Greater
+        } else {
+            Ordering::Less
+        }
+    } else {
+        compare_exactly(segment, line, limit)
+    }
+}
+
+/// Which of two lines a segment that crosses both meets first.
+pub(crate) fn order(
+    segment: Segment,
+    first: Line,
+    second: Line,
+    work: &mut impl Count,
+) -> Ordering {
+    let Segment { a, b } = segment;
+    work.add(Counter::Comparisons, 1);
+    if matches!(first, Line::Vertical(_)) != matches!(second, Line::Vertical(_)) {
+        work.add(Counter::Multiplications, 2);
+    }
     let along = |from: f64, to: f64, o: Ordering| if from < to { o } else { o.reverse() };
     match (first, second) {
         (Line::Vertical(c), Line::Vertical(k)) => {
@@ -243,12 +218,13 @@ pub(crate) fn two_at(c: DVec2, [x0, x1]: [DVec2; 2], [y0, y1]: [DVec2; 2]) -> (D
     let (u, u_rest) = difference(c, x0);
     let (w, w_rest) = difference(x1, x0);
     let (v, v_rest) = difference(y1, y0);
-    let t = first_bits::<24>(u / w);
+    let of_w = 1.0 / w;
+    let t = first_bits::<24>(u * of_w);
     let (w1, v1) = (first_bits::<29>(w), first_bits::<29>(v));
     // u − t w, of which only the first difference cancels, and that is exact.
     let rest = (u - t * w1) - t * (w - w1) + (u_rest - t * w_rest);
     let (y, y_rest) = sum(y0, t * v1);
-    let small = y_rest + (t * (v - v1) + (rest * (v / w) + t * v_rest));
+    let small = y_rest + (t * (v - v1) + (rest * (v * of_w) + t * v_rest));
     let size = y0.abs() + y1.abs();
     let slack = size * SLACK_72;
     let (low, high) = (y + (small - slack), y + (small + slack));
@@ -369,3 +345,6 @@ fn rounded(u: DoubleDouble, w: DoubleDouble, [y0, y1]: [f64; 2], slack: f64) -> 
 
 /// 2²⁰⁰.
 const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
+
+#[cfg(test)]
+mod tests;

@@ -51,7 +51,7 @@ pub fn clip_segment(window: &Window, segment: Segment) -> Option<Segment> {
     clip_segment_counted(window, segment, &mut ())
 }
 
-/// [`clip_segment`], counting a division for each intersection.
+/// [`clip_segment`], counting its [work](crate#counted-work).
 #[must_use]
 pub fn clip_segment_counted(
     window: &Window,
@@ -62,6 +62,7 @@ pub fn clip_segment_counted(
     if !segment.is_finite() || window.is_empty() {
         return None;
     }
+    work.add(Counter::Comparisons, 8);
     let inside = [window.contains(a), window.contains(b)];
     if inside == [true, true] {
         return Some(segment);
@@ -69,6 +70,7 @@ pub fn clip_segment_counted(
     let mut clipped = segment;
     let mut reached = inside;
     for side in Side::ALL {
+        work.add(Counter::Comparisons, 3);
         let line = window.line(side);
         let parallel = match line {
             Line::Vertical(_) => a.x == b.x,
@@ -80,6 +82,7 @@ pub fn clip_segment_counted(
             continue;
         }
         work.add(Counter::Divisions, 1);
+        work.add(Counter::Comparisons, 2);
         let Some(p) = cut_in_window(window, segment, line) else {
             continue;
         };
@@ -92,3 +95,6 @@ pub fn clip_segment_counted(
     }
     (reached == [true, true]).then_some(clipped)
 }
+
+#[cfg(test)]
+mod tests;

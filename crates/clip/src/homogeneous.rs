@@ -8,9 +8,10 @@ use core::cmp::Ordering;
 
 use ombra_math::exact::Sum;
 use ombra_math::glam::{DVec3, DVec4};
+use ombra_math::work::{Count, Counter};
 
 use crate::crossing::between;
-use crate::sutherland_hodgman::clip_by;
+use crate::sutherland_hodgman::clip_by_counted;
 
 /// A plane of the view volume.
 ///
@@ -128,17 +129,23 @@ pub fn contains(p: DVec4) -> bool {
 /// M. E. Newell, «Clipping using homogeneous coordinates», 1978.
 #[must_use]
 pub fn clip_segment(segment: [DVec4; 2]) -> Option<[DVec4; 2]> {
-    let [a, b] = segment;
+    clip_segment_counted(segment, &mut ())
+}
+
+/// [`clip_segment`], counting its [work](crate#counted-work).
+#[must_use]
+pub fn clip_segment_counted([a, b]: [DVec4; 2], work: &mut impl Count) -> Option<[DVec4; 2]> {
     if !is_point(a) || !is_point(b) {
         return None;
     }
     let (mut entry, mut exit): (Option<ViewPlane>, Option<ViewPlane>) = (None, None);
     for plane in ViewPlane::ALL {
+        work.add(Counter::Comparisons, 2);
         match (plane.side(a) < 0.0, plane.side(b) < 0.0) {
             (false, false) => {}
             (true, true) => return None,
             (true, false) => {
-                let later = |best| order(plane, best, a, b) == Ordering::Greater;
+                let later = |best| order(plane, best, a, b, work) == Ordering::Greater;
                 entry = if entry.is_none_or(later) {
                     Some(plane)
                 } else {
@@ -146,7 +153,7 @@ pub fn clip_segment(segment: [DVec4; 2]) -> Option<[DVec4; 2]> {
                 };
             }
             (false, true) => {
-                let earlier = |best| order(plane, best, a, b) == Ordering::Less;
+                let earlier = |best| order(plane, best, a, b, work) == Ordering::Less;
                 exit = if exit.is_none_or(earlier) {
                     Some(plane)
                 } else {
@@ -156,12 +163,15 @@ pub fn clip_segment(segment: [DVec4; 2]) -> Option<[DVec4; 2]> {
         }
     }
     if let (Some(entry), Some(exit)) = (entry, exit)
-        && order(entry, exit, a, b) == Ordering::Greater
+        && order(entry, exit, a, b, work) == Ordering::Greater
     {
         return None;
     }
-    let cut = |plane: ViewPlane| crossing(plane, a, b);
-    let clipped = [entry.map_or(a, cut), exit.map_or(b, cut)];
+    let mut cut = |plane: ViewPlane| {
+        work.add(Counter::Divisions, 1);
+        crossing(plane, a, b)
+    };
+    let clipped = [entry.map_or(a, &mut cut), exit.map_or(b, &mut cut)];
     match clipped.map(|p| p == DVec4::ZERO) {
         [false, false] => Some(clipped),
         [true, false] => Some([clipped[1]; 2]),
@@ -182,7 +192,9 @@ fn crossing(plane: ViewPlane, a: DVec4, b: DVec4) -> DVec4 {
 }
 
 /// Which of two planes, each with a and b on different sides, is met first on the way from a to b: exact.
-fn order(p: ViewPlane, q: ViewPlane, a: DVec4, b: DVec4) -> Ordering {
+fn order(p: ViewPlane, q: ViewPlane, a: DVec4, b: DVec4, work: &mut impl Count) -> Ordering {
+    work.add(Counter::Multiplications, 2);
+    work.add(Counter::Comparisons, 1);
     // t_p < t_q  ⇔  |s_p(a)| |s_q(b)| < |s_q(a)| |s_p(b)|
     let left = (p.side(a) * q.side(b)).abs();
     let right = (q.side(a) * p.side(b)).abs();
@@ -244,7 +256,7 @@ pub struct Vertex<const N: usize> {
 /// # Pitfalls
 ///
 /// Dividing first, and clipping the picture, keeps triangles that reach behind the eye, turned inside out. A concave
-/// polygon that falls apart comes out in one, as from [`clip_by`].
+/// polygon that falls apart comes out in one, as from [`clip_by`](crate::sutherland_hodgman::clip_by).
 ///
 /// # Examples
 ///
@@ -273,7 +285,16 @@ pub struct Vertex<const N: usize> {
 /// [`clip_segment`].
 #[must_use]
 pub fn clip_polygon<const N: usize>(polygon: &[Vertex<N>]) -> Vec<Vertex<N>> {
-    clip_polygon_to(polygon, &ViewPlane::ALL)
+    clip_polygon_counted(polygon, &mut ())
+}
+
+/// [`clip_polygon`], counting its [work](crate#counted-work).
+#[must_use]
+pub fn clip_polygon_counted<const N: usize>(
+    polygon: &[Vertex<N>],
+    work: &mut impl Count,
+) -> Vec<Vertex<N>> {
+    clip_polygon_to_counted(polygon, &ViewPlane::ALL, work)
 }
 
 /// The part of a polygon inside some of the planes: all but the far one for a projection to infinity, all but near and
@@ -287,19 +308,34 @@ pub fn clip_polygon_to<const N: usize>(
     polygon: &[Vertex<N>],
     planes: &[ViewPlane],
 ) -> Vec<Vertex<N>> {
+    clip_polygon_to_counted(polygon, planes, &mut ())
+}
+
+/// [`clip_polygon_to`], counting its [work](crate#counted-work).
+#[must_use]
+pub fn clip_polygon_to_counted<const N: usize>(
+    polygon: &[Vertex<N>],
+    planes: &[ViewPlane],
+    work: &mut impl Count,
+) -> Vec<Vertex<N>> {
     if polygon.len() < 3 || !polygon.iter().all(|v| is_point(v.position)) {
         return Vec::new();
     }
     let mut clipped = polygon.to_vec();
     for &plane in planes {
         // Most polygons lie on the inner side of most planes.
-        if clipped.iter().all(|v| plane.side(v.position) >= 0.0) {
+        let outside = clipped.iter().position(|v| plane.side(v.position) < 0.0);
+        let inside = outside.unwrap_or(clipped.len());
+        work.add(Counter::Comparisons, clipped.len().min(inside + 1) as u64);
+        if inside == clipped.len() {
+            work.add(Counter::Vertices, inside as u64);
             continue;
         }
-        clipped = clip_by(
+        clipped = clip_by_counted(
             &clipped,
             |v| plane.side(v.position),
             |a, b, _, _| cut(plane, a, b),
+            work,
         );
     }
     // An edge through (0, 0, 0, 0) leaves that, which is no point.
@@ -326,237 +362,4 @@ fn cut<const N: usize>(plane: ViewPlane, a: Vertex<N>, b: Vertex<N>) -> Vertex<N
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::oracle::{self, R, beside, int, is_nearest, number, r};
-    use ombra_math::glam::DVec3;
-    use ombra_math::view::frustum;
-    use proptest::prelude::*;
-
-    fn v(x: f64, y: f64, z: f64, w: f64) -> DVec4 {
-        DVec4::new(x, y, z, w)
-    }
-
-    #[test]
-    fn a_segment_that_passes_the_eye() {
-        // Seen by an eye at the origin: from 10 in front, 5 above the axis, to 10 behind. Near plane at 1, far at 100.
-        let view = frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 100.0).unwrap();
-        let ends = [DVec3::new(0.0, 5.0, -10.0), DVec3::new(0.0, -5.0, 10.0)];
-        let [a, b] = ends.map(|p| view * p.extend(1.0));
-        assert!(a.w > 0.0 && b.w < 0.0);
-        let [c, d] = clip_segment([a, b]).unwrap();
-        assert_eq!(c, a);
-        assert_eq!(d.z, -d.w);
-        // Through the eye itself, all of it projects to one point of the picture.
-        assert!((d.y / d.w - a.y / a.w).abs() <= 4.0 * f64::EPSILON);
-        // The vertex infinitely far away, (0, 0, −D, 0), in a projection to infinity is on the far plane, not beyond.
-        let view = ombra_math::view::frustum_infinite(-1.0, 1.0, -1.0, 1.0, 1.0).unwrap();
-        let infinite = view * v(0.0, 0.0, -3.0, 0.0);
-        assert!(contains(infinite) && infinite.z == infinite.w);
-    }
-
-    #[test]
-    fn degenerate() {
-        let (o, huge) = (v(0.0, 0.0, 0.0, 1.0), f64::MAX);
-        let corner = v(1.0, 1.0, 1.0, 1.0);
-        let cases = [
-            ([o, o], Some([o, o])),
-            ([corner, corner], Some([corner, corner])),
-            ([-o, -o], None),
-            ([DVec4::ZERO, o], None),
-            // From a place to its opposite: all one place.
-            ([o, -o], Some([o, o])),
-            ([v(3.0, 0.0, 0.0, 1.0), v(-3.0, 0.0, 0.0, -1.0)], None),
-            // To a point at infinity, from one at infinity.
-            ([o, v(1.0, 0.0, 0.0, 0.0)], Some([o, v(0.5, 0.0, 0.0, 0.5)])),
-            ([v(1.0, 0.0, 0.0, 0.0), v(-1.0, 0.0, 0.0, 0.0)], None),
-            // Through an edge of the volume; past it by one double.
-            (
-                [v(0.0, 2.0, 0.0, 1.0), v(2.0, 0.0, 0.0, 1.0)],
-                Some([v(1.0, 1.0, 0.0, 1.0); 2]),
-            ),
-            (
-                [v(0.0, 2.0, 0.0, 1.0), v(2.0, f64::EPSILON, 0.0, 1.0)],
-                None,
-            ),
-            (
-                [v(-huge, 0.0, 0.0, 1.0), v(huge, 0.0, 0.0, 1.0)],
-                Some([v(-1.0, 0.0, 0.0, 1.0), v(1.0, 0.0, 0.0, 1.0)]),
-            ),
-        ];
-        for (s, expected) in cases {
-            assert_eq!(clip_segment(s), expected, "{s:?}");
-        }
-        let with = |position| Vertex {
-            position,
-            attributes: [],
-        };
-        let triangle = [
-            v(0.0, 0.0, 0.0, 1.0),
-            v(1.0, 0.0, 0.0, 1.0),
-            v(0.0, 1.0, 0.0, 1.0),
-        ]
-        .map(with);
-        assert_eq!(clip_polygon(&triangle), triangle);
-        assert_eq!(clip_polygon(&triangle[..2]), []);
-        assert_eq!(clip_polygon::<3>(&[]), []);
-        // It touches the volume along an edge.
-        let beside = [
-            v(1.0, 0.0, 0.0, 1.0),
-            v(2.0, 0.0, 0.0, 1.0),
-            v(1.0, 1.0, 0.0, 1.0),
-        ]
-        .map(with);
-        assert_eq!(clip_polygon(&beside), []);
-        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            assert_eq!(clip_segment([o, v(0.0, 0.0, 0.0, bad)]), None);
-            assert_eq!(clip_segment([v(bad, 0.0, 0.0, 1.0), o]), None);
-            assert!(!contains(v(bad, 0.0, 0.0, 1.0)));
-            assert_eq!(
-                clip_polygon(&[triangle[0], triangle[1], with(v(bad, 0.0, 0.0, 1.0))]),
-                []
-            );
-        }
-        assert_eq!(
-            clip_polygon(&[triangle[0], triangle[1], with(DVec4::ZERO)]),
-            []
-        );
-        assert!(contains(o) && !contains(DVec4::ZERO) && !contains(-o));
-    }
-
-    /// Coordinates that often put a point on a plane, or next to one.
-    fn position() -> impl Strategy<Value = DVec4> {
-        let w = prop_oneof![Just(1.0), Just(-1.0), Just(0.0), -4.0..4.0f64, number()];
-        let of_w = prop::array::uniform3((0u8..6, number(), -2i64..3));
-        (w, of_w).prop_map(|(w, of_w)| {
-            let [x, y, z] = of_w.map(|(kind, x, i)| match kind {
-                0 => beside(w, i),
-                1 => -beside(w, i),
-                2 => beside(2.0 * w, i),
-                _ => x,
-            });
-            let p = DVec4::new(x, y, z, w);
-            if p.is_finite() { p } else { DVec4::W }
-        })
-    }
-
-    fn sides(a: DVec4, b: DVec4) -> Vec<[R; 2]> {
-        let of = |p: DVec4| -> Vec<R> {
-            let w = r(p.w);
-            [p.x, p.y, p.z]
-                .into_iter()
-                .flat_map(|x| [&w - r(x), &w + r(x)])
-                .collect()
-        };
-        of(a).into_iter().zip(of(b)).map(|(s, e)| [s, e]).collect()
-    }
-
-    fn vertex() -> impl Strategy<Value = Vertex<2>> {
-        (prop::array::uniform4(-6i32..7), 0i32..9, 0i32..9).prop_map(|(p, s, t)| Vertex {
-            position: DVec4::from(p.map(f64::from)),
-            attributes: [s.into(), t.into()],
-        })
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(3000))]
-
-        #[test]
-        fn segments_are_nearest_doubles(a in position(), b in position(), through in prop::array::uniform3(-1i32..2), i in -2i64..3, kind in 0u8..3) {
-            // Two times in three through a corner, an edge or a face of the volume, or next to that.
-            let [x, y, z] = through.map(f64::from);
-            let beyond = DVec4::new(x, y, z, 1.0) * 2.0 - a;
-            let beyond = DVec4::new(beside(beyond.x, i), beyond.y, beyond.z, beyond.w);
-            let b = if kind > 0 && beyond.is_finite() { beyond } else { b };
-            let expected = oracle::interval(&sides(a, b));
-            let clipped = clip_segment([a, b]);
-            let Some(t) = expected else {
-                prop_assert_eq!(clipped, None);
-                return Ok(());
-            };
-            let ends = t.map(|t| [0, 1, 2, 3].map(|k| oracle::at(&t, a[k], b[k])));
-            let zero = |p: &[R; 4]| p.iter().all(|x| *x == int(0));
-            let Some(clipped) = clipped else {
-                // Only (0, 0, 0, 0) is left.
-                prop_assert!((zero(&ends[0]) && zero(&ends[1])) || a == DVec4::ZERO || b == DVec4::ZERO);
-                return Ok(());
-            };
-            for (p, end) in clipped.iter().zip(&ends) {
-                prop_assert!(contains(*p));
-                for k in 0..4 {
-                    prop_assert!(zero(end) || is_nearest(p[k], &end[k]), "{} {}", p[k], end[k]);
-                }
-            }
-            prop_assert!(!contains(a) || clipped[0] == a);
-            prop_assert!(!contains(b) || clipped[1] == b);
-            prop_assert_eq!(clip_segment(clipped), Some(clipped));
-            prop_assert_eq!(clip_segment([b, a]), Some([clipped[1], clipped[0]]));
-        }
-
-        #[test]
-        fn polygons_lie_in_the_volume(polygon in prop::collection::vec(vertex(), 3..7)) {
-            let clipped = clip_polygon(&polygon);
-            prop_assert!(clipped.iter().all(|v| contains(v.position)));
-            prop_assert_eq!(clip_polygon(&clipped), clipped);
-        }
-
-        /// Attributes that are linear in the position stay that function of it, and the picture is the same as that
-        /// of the plane Sutherland–Hodgman where all is in front of the eye.
-        #[test]
-        fn attributes_are_carried_along(mut triangle in prop::array::uniform3(vertex())) {
-            let linear = |p: DVec4| [p.x + 2.0 * p.y - p.z + 3.0 * p.w, p.w];
-            for v in &mut triangle {
-                v.attributes = linear(v.position);
-            }
-            for v in clip_polygon(&triangle) {
-                let expected = linear(v.position);
-                // Up to 6 crossings in a row, each coordinate off by half an ulp of 6, with factors 1, 2, 1, 3, and the
-                // attribute by half an ulp of 42.
-                let bound = 6.0 * (7.0 * 3.0 + 21.0) * f64::EPSILON;
-                for (x, e) in v.attributes.iter().zip(expected) {
-                    prop_assert!((x - e).abs() <= bound, "{x} {e}");
-                }
-            }
-        }
-
-        #[test]
-        fn the_picture_is_that_of_the_plane_method(triangle in prop::array::uniform3((-6i32..7, -6i32..7))) {
-            let flat = triangle.map(|(x, y)| ombra_math::glam::DVec2::new(f64::from(x) / 2.0, f64::from(y) / 2.0));
-            let lifted = flat.map(|p| Vertex { position: DVec4::new(p.x, p.y, 0.0, 1.0), attributes: [] });
-            let one = ombra_math::glam::DVec2::ONE;
-            let window = crate::Window { min: -one, max: one };
-            let expected = oracle::area(&crate::sutherland_hodgman::clip_polygon(&window, &flat));
-            let picture: Vec<_> = clip_polygon(&lifted).iter().map(|v| v.position.truncate().truncate() / v.position.w).collect();
-            let error = oracle::absolute(oracle::area(&picture) - expected);
-            // Nine corners at most, each off by two roundings of numbers up to 1, times twice the size 2.
-            prop_assert!(error <= r(9.0 * 2.0 * f64::EPSILON * 4.0));
-        }
-
-        #[test]
-        fn triangles_that_share_an_edge_share_its_crossings(a in vertex(), b in vertex(), c in vertex(), d in vertex()) {
-            // On the edge itself, crossings are those of a b, whichever way it runs.
-            for plane in ViewPlane::ALL {
-                let of = |p: &[Vertex<2>]| clip_polygon_to(p, &[plane]);
-                let (s, e) = (plane.side(a.position), plane.side(b.position));
-                let (one, other) = (of(&[a, b, c]), of(&[b, a, d]));
-                if s * e < 0.0 && one.len() > 2 && other.len() > 2 {
-                    let (front, back) = if s > 0.0 { (a, b) } else { (b, a) };
-                    let shared = cut(plane, front, back);
-                    // Between a place and its opposite lies (0, 0, 0, 0), which is dropped.
-                    let dropped = shared.position == DVec4::ZERO;
-                    prop_assert!(dropped || (one.contains(&shared) && other.contains(&shared)));
-                }
-            }
-        }
-
-        #[test]
-        fn never_panics(x in prop::collection::vec(proptest::num::f64::ANY, 24)) {
-            let p: Vec<DVec4> = x.chunks_exact(4).map(DVec4::from_slice).collect();
-            if let Some(clipped) = clip_segment([p[0], p[1]]) {
-                prop_assert!(clipped.iter().all(|&p| contains(p)), "{clipped:?}");
-            }
-            let polygon: Vec<_> = p.iter().map(|&position| Vertex { position, attributes: [x[0], x[5]] }).collect();
-            prop_assert!(clip_polygon(&polygon).iter().all(|v| contains(v.position)));
-        }
-    }
-}
+mod tests;

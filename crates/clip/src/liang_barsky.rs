@@ -55,7 +55,7 @@ pub fn clip_segment(window: &Window, segment: Segment) -> Option<Segment> {
     clip_segment_counted(window, segment, &mut ())
 }
 
-/// [`clip_segment`], counting a division for each intersection and a multiplication for each comparison of t's.
+/// [`clip_segment`], counting its [work](crate#counted-work).
 #[must_use]
 pub fn clip_segment_counted(
     window: &Window,
@@ -69,28 +69,27 @@ pub fn clip_segment_counted(
     let (mut entry, mut exit): (Option<Line>, Option<Line>) = (None, None);
     for side in Side::ALL {
         let line = window.line(side);
+        work.add(Counter::Comparisons, 2);
         // q_k < 0 where a lies beyond the side, q_k < p_k where b does.
         match (window.is_beyond(side, a), window.is_beyond(side, b)) {
             (false, false) => {}
             (true, true) => return None,
             (true, false) => {
-                work.add(Counter::Multiplications, u64::from(entry.is_some()));
                 let later =
-                    entry.is_none_or(|best| order(segment, line, best) == Ordering::Greater);
+                    entry.is_none_or(|best| order(segment, line, best, work) == Ordering::Greater);
                 entry = if later { Some(line) } else { entry };
             }
             (false, true) => {
-                work.add(Counter::Multiplications, u64::from(exit.is_some()));
-                let earlier = exit.is_none_or(|best| order(segment, line, best) == Ordering::Less);
+                let earlier =
+                    exit.is_none_or(|best| order(segment, line, best, work) == Ordering::Less);
                 exit = if earlier { Some(line) } else { exit };
             }
         }
     }
-    if let (Some(entry), Some(exit)) = (entry, exit) {
-        work.add(Counter::Multiplications, 1);
-        if order(segment, entry, exit) == Ordering::Greater {
-            return None;
-        }
+    if let (Some(entry), Some(exit)) = (entry, exit)
+        && order(segment, entry, exit, work) == Ordering::Greater
+    {
+        return None;
     }
     let mut cut_at = |line| {
         work.add(Counter::Divisions, 1);
@@ -101,3 +100,6 @@ pub fn clip_segment_counted(
         b: exit.map_or(b, &mut cut_at),
     })
 }
+
+#[cfg(test)]
+mod tests;

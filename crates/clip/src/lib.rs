@@ -19,7 +19,22 @@
 //! | [`pieces`] | polygon: separate parts of a concave one |
 //!
 //! The same question has the same signature, so that answers can be exchanged: `direct::clip_segment`,
-//! `cohen_sutherland::clip_segment`, `liang_barsky::clip_segment`. Those have a `clip_segment_counted`, which counts its work.
+//! `cohen_sutherland::clip_segment`, `liang_barsky::clip_segment`.
+//!
+//! # Counted work
+//!
+//! Whatever is called `…_counted` gives the same answer and counts what it does for it, there where it does it:
+//!
+//! | counter | one for each |
+//! | --- | --- |
+//! | comparisons | number that is held against another to decide: a coordinate against a side (four for a code or for "in the window"), n·p against 0, the parameter of one crossing against another's |
+//! | multiplications | product in such a decision: two for n·p in the plane and three in space; two for parameters, compared as fractions |
+//! | divisions | crossing that is computed, however many coordinates it has |
+//! | vertices | vertex of a polygon that is looked at; one that goes on to another side is looked at again |
+//!
+//! A decision counts once, also where rounding leaves doubt and it is made again exactly, and a crossing is a division,
+//! however it is rounded: what exactness costs is time. Not counted are tests that numbers are finite and that a vertex
+//! repeats another.
 
 pub mod box3;
 pub mod cohen_sutherland;

@@ -1,4 +1,4 @@
-//! A closed outline as it is put together: no vertex follows itself.
+//! A closed outline as it is put together.
 
 use ombra_math::glam::DVec2;
 
@@ -8,33 +8,40 @@ use crate::window::Window;
 /// The vertices of a polygon, one after another.
 #[derive(Default)]
 pub(crate) struct Outline {
-    points: Vec<DVec2>,
+    pub(crate) points: Vec<DVec2>,
+    /// Among so many at the start, none follows itself.
+    settled: usize,
 }
 
 impl Outline {
     pub(crate) fn with_capacity(vertices: usize) -> Self {
         Self {
             points: Vec::with_capacity(vertices),
+            settled: 0,
         }
     }
 
-    /// Appends a vertex, unless it is where the last one is.
-    pub(crate) fn put(&mut self, p: DVec2) {
-        if self.points.last() != Some(&p) {
-            self.points.push(p);
+    /// Takes out vertices that follow themselves.
+    pub(crate) fn settle(&mut self) {
+        let mut kept = self.settled.saturating_sub(1);
+        let tail = self.points.get(kept..).unwrap_or_default();
+        let next = tail.get(1..).unwrap_or_default();
+        // Seldom; to look is faster than to move every point onto itself. A difference of doubles is 0 only of equal ones.
+        if (tail.iter().zip(next)).any(|(&p, &q)| (p - q).abs().element_sum() == 0.0) {
+            for i in kept + 1..self.points.len() {
+                if self.points.get(i) != self.points.get(kept) {
+                    kept += 1;
+                    self.points.swap(kept, i);
+                }
+            }
+            self.points.truncate(kept + 1);
         }
-    }
-
-    /// Appends vertices of which none equals its neighbour.
-    pub(crate) fn extend(&mut self, points: &[DVec2]) {
-        if let Some((&first, rest)) = points.split_first() {
-            self.put(first);
-            self.points.extend_from_slice(rest);
-        }
+        self.settled = self.points.len();
     }
 
     /// The polygon; empty if fewer than three vertices are left or all lie along one side of the window.
     pub(crate) fn close(mut self, window: &Window) -> Vec<DVec2> {
+        self.settle();
         while self.points.len() > 1 && self.points.first() == self.points.last() {
             self.points.pop();
         }
@@ -57,15 +64,16 @@ pub(crate) fn is_finite(polygon: &[DVec2]) -> bool {
     polygon.iter().fold(true, |all, p| all & p.is_finite())
 }
 
-/// How many of the vertices after `p` lie in the same region; inside, up to one that repeats the one before.
-pub(crate) fn length_of_run(window: &Window, p: DVec2, code: Outcode, after: &[DVec2]) -> usize {
-    let mut before = p;
-    let mut in_run = |&q: &DVec2| {
-        let go_on = outcode(window, q) == code && (q != before || !code.is_inside());
-        before = q;
-        go_on
-    };
-    after.iter().position(|q| !in_run(q)).unwrap_or(after.len())
+/// How many of the vertices `after` one of the region `code` lie there too, and the region of the next.
+#[inline]
+pub(crate) fn run(window: &Window, code: Outcode, after: &[DVec2]) -> (usize, Outcode) {
+    for (i, &p) in after.iter().enumerate() {
+        let next = outcode(window, p);
+        if next != code {
+            return (i, next);
+        }
+    }
+    (after.len(), code)
 }
 
 /// Each vertex with the one before it, the last before the first.

@@ -58,3 +58,34 @@ impl Segment {
         self.a.is_finite() && self.b.is_finite()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degenerate() {
+        let (huge, tiny) = (f64::MAX, 5e-324);
+        for [ax, ay, bx, by] in [
+            [0.0; 4],
+            [1.0, 2.0, 1.0, 2.0],
+            [-0.0, 0.0, 0.0, -0.0],
+            [-huge, huge, huge, -huge],
+            [tiny, -tiny, 0.0, tiny],
+        ] {
+            let s = Segment::new(DVec2::new(ax, ay), DVec2::new(bx, by));
+            assert!(s.is_finite());
+            let turned = s.reversed();
+            assert_eq!((turned.a, turned.b), (s.b, s.a));
+            assert_eq!(turned.reversed(), s);
+        }
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for k in 0..4 {
+                let mut x = [5.0; 4];
+                x[k] = bad;
+                let s = Segment::new(DVec2::new(x[0], x[1]), DVec2::new(x[2], x[3]));
+                assert!(!s.is_finite() && !s.reversed().is_finite(), "{x:?}");
+            }
+        }
+    }
+}

@@ -164,6 +164,11 @@ impl Window {
         !(self.min.x <= self.max.x && self.min.y <= self.max.y)
     }
 
+    /// Whether points lie strictly inside.
+    pub(crate) fn has_area(&self) -> bool {
+        self.min.x < self.max.x && self.min.y < self.max.y
+    }
+
     /// The four corners, counter-clockwise from `min`.
     #[must_use]
     pub const fn corners(&self) -> [DVec2; 4] {

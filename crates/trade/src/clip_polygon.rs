@@ -24,9 +24,9 @@
 //!
 //! # Techniques
 //!
-//! - `Sutherland–Hodgman` (the baseline): [`clip_polygon`](ombra_clip::sutherland_hodgman::clip_polygon), in one pass. Its
-//!   work is that of the plain form, which gives the same answer.
-//! - `in four passes`: that plain form.
+//! - `Sutherland–Hodgman` (the baseline): [`clip_polygon`](ombra_clip::sutherland_hodgman::clip_polygon), in one pass.
+//! - `in four passes`: its plain form, [`clip_polygon_in_passes`](ombra_clip::sutherland_hodgman::clip_polygon_in_passes),
+//!   which gives the same answer.
 //! - `pieces`: [`pieces::clip_polygon`]. The others leave what falls apart joined by
 //!   edges along the border, which have no area: no error shows that, but an outline drawn does.
 //! - `textbook f64`, `textbook f32`: four passes with crossings a + t (b − a), t rounded, of what the last pass has left.
@@ -114,8 +114,8 @@ fn question(inputs: String, k: f64, scene: &Rc<Scene>) -> Question {
                 "in four passes",
                 k,
                 scene,
-                |s| s.each(|p| sutherland_hodgman::clip_polygon_counted(&s.window, p, &mut ())),
-                |s, work| s.each(|p| sutherland_hodgman::clip_polygon_counted(&s.window, p, work)),
+                |s| s.each(|p| sutherland_hodgman::clip_polygon_in_passes(&s.window, p, &mut ())),
+                |s, work| s.each(|p| sutherland_hodgman::clip_polygon_in_passes(&s.window, p, work)),
                 |s, outlines| s.verdict(outlines),
             ),
             Case::new(

@@ -4,9 +4,10 @@ use core::cmp::Ordering;
 
 use ombra_math::exact::Sum;
 use ombra_math::glam::DVec2;
+use ombra_math::work::{Count, Counter};
 
 use crate::cohen_sutherland::Outcode;
-use crate::crossing::{compare_exactly, cut_in_window};
+use crate::crossing::{compare_exactly, compare_quickly};
 use crate::segment::Segment;
 use crate::window::{Line, Side, Window};
 
@@ -19,10 +20,11 @@ pub(super) struct End {
     pub(super) side: u8,
     /// An entry; otherwise an exit.
     pub(super) is_entry: bool,
-    /// The edge crosses the side at an inner point; otherwise `point` is exact.
-    is_crossing: bool,
-    /// The number of its edge, and of its chain.
-    edge: usize,
+    /// The line of the side that the edge crosses at an inner point; otherwise `point` is exact.
+    pub(super) crosses: Option<Line>,
+    /// The number of its edge, of its place among the points of all chains, and of its chain.
+    pub(super) edge: usize,
+    pub(super) place: usize,
     pub(super) chain: usize,
 }
 
@@ -34,6 +36,47 @@ pub(super) fn strict_code(window: &Window, p: DVec2) -> Outcode {
         | bit(p.y <= window.min.y, Outcode::BELOW)
         | bit(p.x >= window.max.x, Outcode::RIGHT)
         | bit(p.x <= window.min.x, Outcode::LEFT)
+}
+
+/// Where the line of a side is crossed.
+enum Meets {
+    /// Within the side.
+    Side,
+    /// At one of its ends.
+    Corner(DVec2),
+}
+
+/// Where an edge, coming from beyond the line of a side, crosses it: decided exactly; `None` outside the window.
+fn meets(window: &Window, edge: Segment, side: Side, work: &mut impl Count) -> Option<Meets> {
+    let Segment { a, b } = edge;
+    let line = window.line(side);
+    let (along, low, high) = match line {
+        Line::Vertical(_) => ([a.y, b.y], window.min.y, window.max.y),
+        Line::Horizontal(_) => ([a.x, b.x], window.min.x, window.max.x),
+    };
+    let corner = |along: f64| {
+        Meets::Corner(match line {
+            Line::Vertical(x) => DVec2::new(x, along + 0.0),
+            Line::Horizontal(y) => DVec2::new(along + 0.0, y),
+        })
+    };
+    // Between ends that both lie within a limit, so does the crossing.
+    for (limit, outside) in [(low, Ordering::Less), (high, Ordering::Greater)] {
+        work.add(Counter::Comparisons, 2);
+        let within = |x: f64| x.partial_cmp(&limit) == Some(outside.reverse());
+        if along.into_iter().all(within) {
+            continue;
+        }
+        work.add(Counter::Multiplications, 2);
+        work.add(Counter::Comparisons, 1);
+        let order = compare_quickly(edge, line, limit);
+        if order == outside {
+            return None;
+        } else if order == Ordering::Equal {
+            return Some(corner(limit));
+        }
+    }
+    Some(Meets::Side)
 }
 
 /// A polygon and the window's border that it crosses.
@@ -54,48 +97,58 @@ impl Border<'_> {
     }
 
     /// Where an edge enters the inside of the window, or leaves it; `None` if it only touches. It must not lie beyond
-    /// or along one side.
-    pub(super) fn end(self, edge: usize, is_entry: bool, chain: usize) -> Option<End> {
+    /// or along one side. The point of a crossing is still to be computed.
+    pub(super) fn end(
+        self,
+        edge: usize,
+        is_entry: bool,
+        chain: usize,
+        work: &mut impl Count,
+    ) -> Option<End> {
         let window = self.window;
         let inwards = self.inwards(edge, is_entry);
         let Segment { a, b } = inwards;
-        let end = |point, side, is_crossing| End {
+        let end = |point, side, crosses| End {
             point,
             side,
             is_entry,
-            is_crossing,
+            crosses,
             edge,
+            place: 0,
             chain,
         };
+        work.add(Counter::Comparisons, 4);
         if window.contains(a) {
-            return Some(end(a, side_of(window, a), false));
+            return Some(end(a, side_of(window, a), None));
         }
-        let (side, point) = Side::ALL
+        let (side, meets) = Side::ALL
             .into_iter()
             .filter(|&side| window.is_beyond(side, a))
-            .find_map(|side| Some((side, cut_in_window(window, inwards, window.line(side))?)))?;
-        let line = window.line(side);
-        let (along, low, high) = match line {
-            Line::Vertical(_) => (point.y, window.min.y, window.max.y),
-            Line::Horizontal(_) => (point.x, window.min.x, window.max.x),
-        };
-        let at_corner = (along == low || along == high)
-            && compare_exactly(inwards, line, along) == Ordering::Equal;
-        if at_corner {
-            let goes_in = (strict_code(window, point) & strict_code(window, b)).is_inside();
-            return goes_in.then(|| end(point, side_of(window, point), false));
+            .find_map(|side| Some((side, meets(window, inwards, side, work)?)))?;
+        match meets {
+            Meets::Side => {
+                let number = match side {
+                    Side::Below => 0,
+                    Side::Right => 1,
+                    Side::Above => 2,
+                    Side::Left => 3,
+                };
+                Some(end(DVec2::ZERO, number, Some(window.line(side))))
+            }
+            Meets::Corner(corner) => {
+                let goes_in = (strict_code(window, corner) & strict_code(window, b)).is_inside();
+                goes_in.then(|| end(corner, side_of(window, corner), None))
+            }
         }
-        let side = match side {
-            Side::Below => 0,
-            Side::Right => 1,
-            Side::Above => 2,
-            Side::Left => 3,
-        };
-        Some(end(point, side, true))
+    }
+
+    /// The edge that an end is on, the way the polygon runs.
+    pub(super) fn edge(self, end: &End) -> Segment {
+        self.inwards(end.edge, true)
     }
 
     /// Puts ends in their order along the border; of an edge out and the same edge back in, exits or entries first.
-    pub(super) fn sort(self, ends: &mut Vec<End>, entries_first: bool) {
+    pub(super) fn sort(self, ends: &mut Vec<End>, entries_first: bool, work: &mut impl Count) {
         // By rounded position first, which integers compare fastest; then, where those are equal, exactly.
         let mut ranks: Vec<u128> = ends
             .iter()
@@ -105,7 +158,17 @@ impl Border<'_> {
                 u128::from(end.side) << 126 | along << 62 | i as u128
             })
             .collect();
-        ranks.sort_unstable();
+        let mut by_rank = |a: &u128, b: &u128| {
+            work.add(Counter::Comparisons, 1);
+            a.cmp(b)
+        };
+        // Along a polygon that follows the border, long runs are in order already: the stable sort finds them.
+        let breaks = ranks.windows(2).filter(|pair| pair.first() > pair.last());
+        if breaks.count() * 16 < ranks.len() {
+            ranks.sort_by(&mut by_rank);
+        } else {
+            ranks.sort_unstable_by(&mut by_rank);
+        }
         let number = |rank: u128| (rank & ((1 << 62) - 1)) as usize;
         let mut sorted: Vec<End> = Vec::with_capacity(ends.len());
         sorted.extend(ranks.iter().filter_map(|&rank| ends.get(number(rank))));
@@ -134,7 +197,7 @@ impl Border<'_> {
             _ => (Line::Vertical(window.min.x), e.point.y, true),
         };
         let edge = |end: &End| self.inwards(end.edge, true);
-        let order = match (e.is_crossing, f.is_crossing) {
+        let order = match (e.crosses.is_some(), f.crosses.is_some()) {
             (false, false) => Ordering::Equal,
             (true, false) => compare_exactly(edge(e), line, limit),
             (false, true) => compare_exactly(edge(f), line, limit).reverse(),
