@@ -31,10 +31,23 @@ struct Arguments {
     /// Rounds [default: 31, with --quick 3]
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
     rounds: Option<u16>,
+    /// Not for people: be the process in which llvmpipe draws this form of the triangles
+    #[arg(long, hide = true)]
+    llvmpipe: Option<rows::triangles::Form>,
 }
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
+    if let Some(form) = arguments.llvmpipe {
+        settle_allocator();
+        return match rows::triangles::llvmpipe::serve(form) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("llvmpipe's process failed: {error}");
+                ExitCode::FAILURE
+            }
+        };
+    }
     let rows = match chosen(&arguments.rows) {
         Ok(rows) => rows,
         Err(sentence) => {

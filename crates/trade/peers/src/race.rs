@@ -1,8 +1,9 @@
 //! A race: the limit, the peers and ours do the same work in turns, and are compared round by round.
 
 use std::hint::black_box;
+use std::time::Instant;
 
-use cpu_time::ThreadTime;
+use cpu_time::{ProcessTime, ThreadTime};
 
 use crate::measured::{Against, Entry, Goal, Measured, Role, Shown, Spread, Verdict};
 
@@ -22,6 +23,48 @@ pub struct Rounds {
     pub least_seconds: f64,
 }
 
+/// What is taken for the time of the work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Clock {
+    /// Processor time of the thread that runs the race.
+    Thread,
+    /// Processor time of all threads of the process: of contestants that may start some, but keep one busy at a time.
+    Process,
+    /// What a watch shows: of contestants that keep several busy.
+    Wall,
+}
+
+impl Clock {
+    /// Seconds that `run` takes.
+    pub fn time(self, run: impl FnOnce()) -> f64 {
+        match self {
+            Self::Thread => {
+                let start = ThreadTime::now();
+                run();
+                start.elapsed().as_secs_f64()
+            }
+            Self::Process => {
+                let start = ProcessTime::now();
+                run();
+                start.elapsed().as_secs_f64()
+            }
+            Self::Wall => {
+                let start = Instant::now();
+                run();
+                start.elapsed().as_secs_f64()
+            }
+        }
+    }
+}
+
+/// A contestant that runs in another process, and measures itself there.
+pub trait Elsewhere<S> {
+    /// Seconds that it took to do the work so often, all in all; NaN where it failed.
+    fn seconds(&mut self, repeats: u32) -> f64;
+    /// Brings what it did into the scene.
+    fn hand_in(&mut self, scene: &mut S);
+}
+
 /// A peer that takes longer for the work, in seconds, does it once and not in each round.
 const PATIENCE: f64 = 0.5;
 
@@ -32,10 +75,16 @@ enum Pace {
     Once(f64),
 }
 
+enum Work<'a, S> {
+    Here(Box<dyn FnMut(&mut S) + 'a>),
+    Elsewhere(Box<dyn Elsewhere<S> + 'a>),
+}
+
 struct Contestant<'a, S> {
     name: String,
     role: Role,
-    run: Box<dyn FnMut(&mut S) + 'a>,
+    work: Work<'a, S>,
+    clock: Clock,
     pace: Pace,
     shown: Vec<Shown>,
     seconds: Vec<f64>,
@@ -48,6 +97,7 @@ pub struct Race<'a, S> {
     items: f64,
     unit: &'static str,
     scene: S,
+    clock: Clock,
     contestants: Vec<Contestant<'a, S>>,
     goals: Vec<(String, Goal)>,
     notes: Vec<String>,
@@ -62,19 +112,32 @@ impl<'a, S: Scene> Race<'a, S> {
             items,
             unit,
             scene,
+            clock: Clock::Thread,
             contestants: Vec::new(),
             goals: Vec::new(),
             notes: Vec::new(),
         }
     }
 
+    /// Another clock for those who enter from now on.
+    pub fn clock(mut self, clock: Clock) -> Self {
+        self.clock = clock;
+        self
+    }
+
     /// What no contestant can beat: the same memory traffic without the work.
     pub fn limit(self, name: &str, run: impl FnMut(&mut S) + 'a) -> Self {
-        self.enter(name, Role::Limit, run)
+        self.enter(name, Role::Limit, Work::Here(Box::new(run)))
     }
 
     pub fn peer(self, name: &str, run: impl FnMut(&mut S) + 'a) -> Self {
-        self.enter(name, Role::Peer { fault: None }, run)
+        self.enter(name, Role::Peer { fault: None }, Work::Here(Box::new(run)))
+    }
+
+    /// A peer in a process of its own.
+    pub fn peer_elsewhere(self, name: &str, peer: impl Elsewhere<S> + 'a) -> Self {
+        let work = Work::Elsewhere(Box::new(peer));
+        self.enter(name, Role::Peer { fault: None }, work)
     }
 
     /// A peer whose results were checked, with what was found wrong. It runs, but is not one to be measured against.
@@ -84,13 +147,13 @@ impl<'a, S: Scene> Race<'a, S> {
         fault: Option<String>,
         run: impl FnMut(&mut S) + 'a,
     ) -> Self {
-        self.enter(name, Role::Peer { fault }, run)
+        self.enter(name, Role::Peer { fault }, Work::Here(Box::new(run)))
     }
 
     /// Ours, and what it has to reach.
     pub fn ours(mut self, name: &str, goals: &[Goal], run: impl FnMut(&mut S) + 'a) -> Self {
         (self.goals).extend(goals.iter().map(|&goal| (name.to_owned(), goal)));
-        self.enter(name, Role::Ours, run)
+        self.enter(name, Role::Ours, Work::Here(Box::new(run)))
     }
 
     /// A line below the table.
@@ -99,11 +162,12 @@ impl<'a, S: Scene> Race<'a, S> {
         self
     }
 
-    fn enter(mut self, name: &str, role: Role, run: impl FnMut(&mut S) + 'a) -> Self {
+    fn enter(mut self, name: &str, role: Role, work: Work<'a, S>) -> Self {
         self.contestants.push(Contestant {
             name: name.to_owned(),
             role,
-            run: Box::new(run),
+            work,
+            clock: self.clock,
             pace: Pace::Repeated(1),
             shown: Vec::new(),
             seconds: Vec::new(),
@@ -200,6 +264,9 @@ impl<S: Scene> Contestant<'_, S> {
     /// Runs once to see what it does, and again to see how long that takes.
     fn warm_up(&mut self, scene: &mut S, least_seconds: f64) {
         let first = self.time(scene);
+        if let Work::Elsewhere(peer) = &mut self.work {
+            peer.hand_in(scene);
+        }
         self.shown = scene.shows();
         if first > PATIENCE {
             self.pace = Pace::Once(first);
@@ -209,18 +276,22 @@ impl<S: Scene> Contestant<'_, S> {
         }
     }
 
-    /// Processor seconds of this thread for the work done once.
+    /// Seconds for the work done once.
     fn time(&mut self, scene: &mut S) -> f64 {
         let repeats = match self.pace {
             Pace::Repeated(repeats) => repeats,
             Pace::Once(seconds) => return seconds,
         };
         scene.clear();
-        let start = ThreadTime::now();
-        for _ in 0..repeats {
-            (self.run)(black_box(scene));
-        }
-        start.elapsed().as_secs_f64() / f64::from(repeats)
+        let seconds = match &mut self.work {
+            Work::Here(run) => self.clock.time(|| {
+                for _ in 0..repeats {
+                    run(black_box(scene));
+                }
+            }),
+            Work::Elsewhere(peer) => peer.seconds(repeats),
+        };
+        seconds / f64::from(repeats)
     }
 
     /// How many times as fast as `other`, round by round.
@@ -292,5 +363,68 @@ mod tests {
         let impostors: Vec<_> = measured.impostors().map(|e| e.name.as_str()).collect();
         assert_eq!(impostors, ["another sum"]);
         assert_eq!(measured.json()["entries"][3]["fault"], "it stops early");
+    }
+
+    /// Says that it needs a quarter of a second a time, and hands in what it was told.
+    struct Far {
+        sum: f64,
+        fails: bool,
+    }
+
+    impl Elsewhere<Sum> for Far {
+        fn seconds(&mut self, repeats: u32) -> f64 {
+            if self.fails {
+                f64::NAN
+            } else {
+                0.25 * f64::from(repeats)
+            }
+        }
+
+        fn hand_in(&mut self, sum: &mut Sum) {
+            sum.0 = self.sum;
+        }
+    }
+
+    #[test]
+    fn a_peer_elsewhere_counts_by_its_own_clock_and_shows_its_own_work() {
+        let rounds = Rounds {
+            number: 3,
+            least_seconds: 0.6,
+        };
+        let far = |sum, fails| Far { sum, fails };
+        let measured = Race::new("sums", "sums".to_owned(), 1.0, "sum", Sum(0.0))
+            .clock(Clock::Process)
+            .peer_elsewhere("right", far(55.0, false))
+            .peer_elsewhere("wrong", far(54.0, false))
+            .peer_elsewhere("broken", far(0.0, true))
+            .ours("ours", &[], add(10))
+            .run(rounds);
+        let [right, wrong, broken, _] = measured.entries.as_slice() else {
+            panic!("{:?}", measured.entries)
+        };
+        assert_eq!((right.throughput, right.same_work), (4.0, true));
+        assert!(!wrong.same_work && !broken.same_work && broken.throughput.is_nan());
+    }
+
+    #[test]
+    fn clocks_tell_waiting_from_working() {
+        let pause = std::time::Duration::from_millis(40);
+        let waited =
+            [Clock::Thread, Clock::Wall].map(|clock| clock.time(|| std::thread::sleep(pause)));
+        assert!(waited[0] < 0.02 && waited[1] >= 0.04, "{waited:?}");
+        // Another thread's work is the process's, not this one's.
+        let work = || {
+            let start = ThreadTime::now();
+            while start.elapsed() < pause {
+                black_box(0);
+            }
+        };
+        let elsewhere = || {
+            std::thread::scope(|scope| {
+                scope.spawn(work);
+            });
+        };
+        let worked = [Clock::Thread, Clock::Process].map(|clock| clock.time(elsewhere));
+        assert!(worked[0] < 0.02 && worked[1] >= 0.04, "{worked:?}");
     }
 }

@@ -4,6 +4,7 @@ mod clip_polygon;
 mod clip_segments;
 mod fill;
 mod segments;
+pub mod triangles;
 
 use crate::measured::Measured;
 use crate::race::Rounds;
@@ -63,6 +64,24 @@ pub fn all() -> Vec<Row> {
         }),
         row("clip-polygon-comb", |name, rounds| {
             clip_polygon::row(name, clip_polygon::comb(), rounds)
+        }),
+        row("triangles", |name, rounds| {
+            triangles::row(name, triangles::COLOURED, 1, rounds)
+        }),
+        row("triangles-culled", |name, rounds| {
+            triangles::row(name, triangles::COLOURED.culled(), 1, rounds)
+        }),
+        row("triangles-2-threads", |name, rounds| {
+            triangles::row(name, triangles::COLOURED, 2, rounds)
+        }),
+        row("shadow-map", |name, rounds| {
+            triangles::row(name, triangles::SHADOW_MAP, 1, rounds)
+        }),
+        row("shadow-map-culled", |name, rounds| {
+            triangles::row(name, triangles::SHADOW_MAP.culled(), 1, rounds)
+        }),
+        row("shadow-map-2-threads", |name, rounds| {
+            triangles::row(name, triangles::SHADOW_MAP, 2, rounds)
         }),
     ]
 }
