@@ -163,7 +163,8 @@ pub fn is_front_facing_on_screen(pixels: [DVec2; 3]) -> bool {
 ///
 /// # References
 ///
-/// Grafica 3, «Back Face Culling». M. Olano, T. Greer, «Triangle scan conversion using 2D homogeneous coordinates», 1997.
+/// Grafica 3, «Back Face Culling». M. Olano, T. Greer, «Triangle scan conversion using 2D homogeneous coordinates»,
+/// 1997.
 #[must_use]
 pub fn is_front_facing_in_clip_space(corners: [DVec4; 3]) -> bool {
     matches!(

@@ -125,8 +125,8 @@ pub fn hits_counted(polygons: &[Polygon], line: SightLine, work: &mut impl Count
 /// # Properties
 ///
 /// As for [`hits`], along the sight lines of the pixels' centres as [`Camera::sight_line`] rounds them; a tie goes to
-/// the polygon submitted first. A ray is only intersected with the primitives whose outline in the picture lies about its pixel; rows of
-/// pixels run in parallel with the feature `parallel`. Equal to [`cast_plain`].
+/// the polygon submitted first. A ray is only intersected with the primitives whose outline in the picture lies about
+/// its pixel; rows of pixels run in parallel with the feature `parallel`. Equal to [`cast_plain`].
 ///
 /// # Pitfalls
 ///

@@ -124,18 +124,21 @@ pub fn compare_seen(p: &Seen, q: &Seen) -> Pair {
 /// # Formula
 ///
 /// ```text
-/// δ = 64 ε · largest coordinate of either
+/// δ = 64 ε · largest coordinate of either + 32 · smallest double
 /// ```
 ///
 /// # Properties
 ///
 /// That is the rounding of coordinates: turned and moved, a wall still stands on its floor only as far as its
-/// coordinates can tell. Distances of a [`Side`] are known to 32 ε of that coordinate, vertices made by cutting to a
-/// few ε a cut.
+/// coordinates can tell. Distances of a [`Side`] are right within half of it, vertices made by cutting to a few ε a cut.
+/// The second term counts below 10⁻²⁹² only, where doubles lose their digits.
 #[must_use]
 pub fn tolerance(scale: f64) -> f64 {
-    64.0 * f64::EPSILON * scale
+    64.0 * f64::EPSILON * scale + 32.0 * SMALLEST
 }
+
+/// 2⁻¹⁰⁷⁴: what products below the normal doubles are rounded to.
+const SMALLEST: f64 = f64::from_bits(1);
 
 /// Whether somewhere the one is nearer, or farther, than the other.
 #[derive(Clone, Copy, Default)]

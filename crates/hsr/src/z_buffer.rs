@@ -21,6 +21,7 @@ mod fast;
 mod format;
 mod paint;
 mod plain;
+pub mod precision;
 mod screen;
 mod setup;
 #[cfg(feature = "parallel")]

@@ -1,4 +1,5 @@
 use super::*;
+use crate::pair::compare;
 use core::f64::consts::PI;
 use ombra_math::glam::{DMat3, DQuat};
 use ombra_math::work::Work;
@@ -66,6 +67,63 @@ fn a_square_over_the_half_of_another() {
     assert_eq!(parts, [(0, left), (1, scene[1].clone())]);
     // From below the first is the nearer one.
     assert_eq!(visible_parts(&scene, -DVec4::Z)[0], (0, scene[0].clone()));
+}
+
+#[test]
+fn every_size() {
+    for e in [-1040, -1000, -530, 530, 1000, 1021] {
+        let s = libm::scalbn(1.0, e);
+        let scaled = |p: &Polygon| Polygon {
+            vertices: p.vertices.iter().map(|&v| s * v).collect(),
+        };
+        // The largest reach from −4 s to 4 s, ± the largest double but for rounding up.
+        let scene = [
+            square(-4.0, -4.0, 0.0, 7.875),
+            square(0.0, -4.0, 1.0, 3.875),
+        ];
+        let crossing = [
+            scene[0].clone(),
+            polygon([
+                [0.0, -3.0, -1.0],
+                [2.0, -3.0, 1.0],
+                [2.0, 3.0, 1.0],
+                [0.0, 3.0, -1.0],
+            ]),
+        ];
+        for (scene, eye) in [
+            (&scene, DVec4::Z),
+            (&scene, place(0.0, 0.0, 3.0)),
+            (&crossing, DVec4::Z),
+        ] {
+            let expected: Vec<_> = visible_parts(scene, eye)
+                .iter()
+                .map(|(i, part)| (*i, scaled(part)))
+                .collect();
+            let place = (if eye.w == 0.0 {
+                eye.truncate()
+            } else {
+                s * eye.truncate()
+            })
+            .extend(eye.w);
+            let parts = visible_parts(&scene.each_ref().map(scaled), place);
+            assert_eq!(parts.len(), expected.len(), "{e} {eye}");
+            for ((i, part), (j, other)) in parts.iter().zip(&expected) {
+                assert_eq!(
+                    (i, part.vertices.len()),
+                    (j, other.vertices.len()),
+                    "{e} {eye}"
+                );
+                for (v, w) in part.vertices.iter().zip(&other.vertices) {
+                    // Below the normal doubles, a few of the smallest.
+                    let off = (*v - *w).abs().max_element();
+                    assert!(
+                        off <= 4.0 * f64::EPSILON * 4.0 * s + 32.0 * f64::from_bits(1),
+                        "{e} {eye}: {v} {w}"
+                    );
+                }
+            }
+        }
+    }
 }
 
 /// Similar triangles: from the height h = 4, a square of side s at height 1 hides one of side s h / (h − 1) on the
@@ -246,6 +304,49 @@ fn crossing_primitives_are_cut_by_each_others_plane() {
     close(areas(&parts, 0), 2.0, 4.0);
     close(areas(&parts, 1), 2.0, 4.0);
     close(areas(&parts, 2), 2.0, 4.0);
+}
+
+/// Two planes that cross at 10⁻¹³: what is left of both near their line lies at one depth for all coordinates can tell.
+#[test]
+fn crossing_at_no_angle() {
+    let tilt = |s: f64| {
+        polygon([
+            [-1.0, -1.0, -s],
+            [1.0, -1.0, s],
+            [1.0, 1.0, s],
+            [-1.0, 1.0, -s],
+        ])
+    };
+    let covers = [
+        square(-2.0, -1.5, 1.0, 1.95),
+        square(0.05, -1.5, 1.0, 1.95),
+        square(-1.5, 0.25, 1.0, 3.0),
+    ];
+    let scene = [&covers[..], &[tilt(1e-13), tilt(-1e-13)]].concat();
+    assert_eq!(compare(&scene[3], &scene[4], DVec4::Z), Pair::Crossing);
+    let parts = visible_parts(&scene, DVec4::Z);
+    // x from −0.05 to 0.05, y from −1 to 0.25.
+    close(areas(&parts, 3), 0.125, 4.0);
+    assert_eq!(areas(&parts, 4), 0.0);
+}
+
+/// Beside a corner: no side of the square is between, and yet nothing is hidden and nothing to be cut.
+#[test]
+fn what_misses_a_corner_stays_whole() {
+    let near = Seen::new(&square(0.0, 0.0, 1.0, 2.0), DVec4::Z).unwrap();
+    let beside = |sum: f64| {
+        [
+            DVec3::new(1.0, sum - 1.0, 0.0),
+            DVec3::new(3.0, sum - 3.0, 0.0),
+            DVec3::new(3.0, 3.0, 0.0),
+        ]
+    };
+    assert!(peel(&beside(4.25), &near, None, 0.0).is_none());
+    assert!(peel(&beside(4.0), &near, None, 0.0).is_none());
+    assert_eq!(
+        peel(&beside(3.75), &near, None, 0.0).map(|pieces| pieces.len()),
+        Some(2)
+    );
 }
 
 /// n strips over n strips: k = 2n primitives, and n + n (n + 1) parts, which grow as k² does.

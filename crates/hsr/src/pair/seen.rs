@@ -132,7 +132,7 @@ impl Seen {
     /// Whether `other` is, for certain, on the same side of the plane through `eye` that is parallel to this polygon.
     pub(super) fn is_ahead(&self, eye: DVec3, other: &Self) -> bool {
         let scale = self.scale.max(other.scale).max(eye.abs().max_element());
-        let bound = 2.0 * tolerance(scale).max(f64::MIN_POSITIVE);
+        let bound = 2.0 * tolerance(scale);
         let from = self.front.distance(eye);
         let mut vertices = other.vertices.iter();
         vertices.all(|&v| self.front.distance(v) - from < -bound)
@@ -164,8 +164,7 @@ impl Seen {
 
     /// How `v` lies from an edge as seen: inside (`Greater`), in line, or outside. Exact.
     pub(super) fn turn(&self, edge: &Edge, v: DVec3) -> Ordering {
-        // Distances below the normal doubles have lost their digits.
-        let bound = tolerance(self.scale.max(v.abs().max_element())).max(f64::MIN_POSITIVE);
+        let bound = tolerance(self.scale.max(v.abs().max_element()));
         let distance = edge.inside.distance(v);
         if distance > bound {
             Ordering::Greater

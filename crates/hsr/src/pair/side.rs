@@ -7,8 +7,8 @@ use ombra_math::plane::Plane;
 ///
 /// # Properties
 ///
-/// Distances are within 32 ε of the largest coordinate of plane point and vertex: [`tolerance`](super::tolerance) is
-/// twice that.
+/// Distances are right within half the [`tolerance`](super::tolerance) of the largest coordinate of the vertex and the
+/// points the plane was made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Side {
     /// A quarter long: products with the largest doubles stay finite.
@@ -50,7 +50,13 @@ impl Side {
     #[inline]
     #[must_use]
     pub fn distance(&self, v: DVec3) -> f64 {
-        4.0 * (self.normal.dot(v) + self.d)
+        4.0 * self.quarter(v)
+    }
+
+    /// A quarter of the distance, which no coordinates make infinite.
+    #[inline]
+    fn quarter(&self, v: DVec3) -> f64 {
+        self.normal.dot(v) + self.d
     }
 
     /// Cuts a convex polygon in two: the part in front of this plane, and the part behind.
@@ -88,8 +94,8 @@ impl Side {
     pub fn split(&self, polygon: &[DVec3], tolerance: f64) -> [Vec<DVec3>; 2] {
         let sides: Vec<f64> = polygon
             .iter()
-            .map(|&v| self.distance(v))
-            .map(|s| if s.abs() <= tolerance { 0.0 } else { s })
+            .map(|&v| self.quarter(v))
+            .map(|s| if s.abs() <= tolerance / 4.0 { 0.0 } else { s })
             .collect();
         let (front, behind) = (
             sides.iter().any(|&s| s > 0.0),
@@ -110,7 +116,7 @@ impl Side {
             if s_a <= 0.0 {
                 behind.push(a);
             }
-            if s_a * s_b < 0.0 {
+            if (s_a > 0.0 && s_b < 0.0) || (s_a < 0.0 && s_b > 0.0) {
                 let x = crossing(a, b, s_a, s_b);
                 front.push(x);
                 behind.push(x);
@@ -127,7 +133,7 @@ fn crossing(a: DVec3, b: DVec3, s_a: f64, s_b: f64) -> DVec3 {
     } else {
         (b, a, s_b, s_a)
     };
-    // Quartered: the difference of two of the largest doubles would overflow.
+    // The difference of two of the largest doubles would overflow.
     let (s_a, s_b) = (0.25 * s_a, 0.25 * s_b);
     let t = s_a / (s_a - s_b);
     (a * (1.0 - t) + b * t).max(a.min(b)).min(a.max(b))

@@ -38,7 +38,7 @@ fn the_last_one_is_on_top() {
         (4.0, 4.0, -1.0),
         (0.0, 4.0, -1.0),
     ]);
-    // Its slanted side runs through the centres (2½, 4½), (3½, 3½) … (5½, 1½): the triangle is left of it and owns none.
+    // Its slanted side runs through the centres (2½, 4½) … (5½, 1½): the triangle is left of it and owns none.
     let triangle = polygon(&[(2.0, 1.0, -5.0), (6.0, 1.0, -5.0), (2.0, 5.0, -5.0)]);
     let camera = flat(6, 5);
     let picture = |parts: [(usize, &Polygon); 2]| grid(&paint(parts, &camera).unwrap());
@@ -75,8 +75,8 @@ fn only_the_view_volume_is_pictured() {
             height: 4,
         },
     };
-    // A floor at y = −½, from far behind the eye to far beyond the far plane: in the picture from y_ndc = −½ at the near
-    // plane, where it is cut, to −⅛ at the far one. Of the centres ¾, ¼, −¼ and −¾ that is the third.
+    // A floor at y = −½, from far behind the eye to far beyond the far plane: in the picture from y_ndc = −½ at the
+    // near plane, where it is cut, to −⅛ at the far one. Of the centres ¾, ¼, −¼ and −¾ that is the third.
     let floor = polygon(&[
         (-90.0, -0.5, 90.0),
         (90.0, -0.5, 90.0),

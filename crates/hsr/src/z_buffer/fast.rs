@@ -145,84 +145,95 @@ impl<F: DepthFormat, I: Paint> Band<'_, F, I> {
         let sides = Sides::new(lines);
         let mut fragments = 0;
         let lanes = f64x4::from_fn(simd, |l| l as f64);
-        let mut row_edges = lines.map(|line| lanes * line.across + line.first);
-        for y in rows.clone() {
-            let row = (y - self.rows.start) as usize * self.width as usize;
-            let mut edges = row_edges;
+        let [l0, l1, l2] = lines;
+        let [d0, d1, d2] = [l0.down, l1.down, l2.down];
+        let [a0, a1, a2] = [l0.across, l1.across, l2.across];
+        let (mut row0, mut row1, mut row2) = (
+            lanes * a0 + l0.first,
+            lanes * a1 + l1.first,
+            lanes * a2 + l2.first,
+        );
+        let (depth, samples) = (&mut *self.depth, &mut *self.samples);
+        let mut row = (rows.start - self.rows.start) as usize * self.width as usize;
+        for _ in rows.clone() {
+            let [mut e0, mut e1, mut e2] = [row0, row1, row2];
             let (mut x, mut end) = (columns.start, columns.end);
             if WIDE {
-                let span = sides.span(edges.map(|edge| edge[0]), end - x);
-                let skipped = f64::from(span.start);
+                let span = sides.span([e0[0], e1[0], e2[0]], end - x);
                 (x, end) = (columns.start + span.start, columns.start + span.end);
-                for (edge, line) in edges.iter_mut().zip(lines) {
-                    *edge += line.across * skipped;
-                }
+                let skipped = f64::from(span.start);
+                e0 += a0 * skipped;
+                e1 += a1 * skipped;
+                e2 += a2 * skipped;
             }
             while x < end {
                 let left = lanes.simd_lt(f64::from(end - x));
-                fragments += self.block(simd, ready, edges, row + x as usize, left, paint);
+                let at = row + x as usize;
+                fragments +=
+                    block::<S, F, I>(simd, ready, [e0, e1, e2], at, left, paint, depth, samples);
                 x += LANES as u32;
-                for (edge, line) in edges.iter_mut().zip(lines) {
-                    *edge += line.across * LANES as f64;
-                }
+                e0 += a0 * LANES as f64;
+                e1 += a1 * LANES as f64;
+                e2 += a2 * LANES as f64;
             }
-            for (edge, line) in row_edges.iter_mut().zip(lines) {
-                *edge += line.down;
-            }
+            row0 += d0;
+            row1 += d1;
+            row2 += d2;
+            row += self.width as usize;
         }
         fragments
     }
+}
 
-    /// The pixels from `at` on, those of `left`.
-    #[inline(always)]
-    fn block<S: Simd>(
-        &mut self,
-        simd: S,
-        ready: &Ready<'_, I::Ink>,
-        edges: [f64x4<S>; 3],
-        at: usize,
-        left: mask64x4<S>,
-        paint: I,
-    ) -> u64 {
-        let Ready {
-            setup, lines, ink, ..
-        } = ready;
-        let [e0, e1, e2] = edges;
-        let inside = left
-            & e0.simd_ge(lines[0].least)
-            & e1.simd_ge(lines[1].least)
-            & e2.simd_ge(lines[2].least);
-        let [v0, v1, v2] = setup.values;
-        let value = e0 * v0 + e1 * v1 + e2 * v2;
-        let value = value.max(setup.least).min(setup.greatest);
-        // Outside, a value that is nearer than none.
-        let value = inside.select(value, f64x4::splat(simd, F::NEVER));
-        let mut stored = [F::FAR; LANES];
-        for l in 0..LANES {
-            stored[l] = F::encode(value[l]);
-        }
-        let mut pass = [false; LANES];
-        let depth = self.depth.get_mut(at..);
-        if let Some(depth) = depth.and_then(|depth| depth.first_chunk_mut::<LANES>()) {
-            for l in 0..LANES {
-                pass[l] = F::is_nearer(stored[l], depth[l]);
-            }
-            for l in 0..LANES {
-                depth[l] = if pass[l] { stored[l] } else { depth[l] };
-            }
-        } else {
-            // The last pixels of the band.
-            for l in 0..LANES {
-                if let Some(depth) = self.depth.get_mut(at + l)
-                    && F::is_nearer(stored[l], *depth)
-                {
-                    (pass[l], *depth) = (true, stored[l]);
-                }
-            }
-        }
-        paint.write_lanes(self.samples, at, ink, &pass, edges);
-        u64::from(inside.to_bitmask().count_ones())
+/// The pixels from `at` on, those of `left`; how many of them are in.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "the state of the innermost loop")]
+fn block<S: Simd, F: DepthFormat, I: Paint>(
+    simd: S,
+    ready: &Ready<'_, I::Ink>,
+    [e0, e1, e2]: [f64x4<S>; 3],
+    at: usize,
+    left: mask64x4<S>,
+    paint: I,
+    depth: &mut [F::Stored],
+    samples: &mut [I::Sample],
+) -> u64 {
+    let Ready {
+        setup, lines, ink, ..
+    } = ready;
+    let inside =
+        left & e0.simd_ge(lines[0].least) & e1.simd_ge(lines[1].least) & e2.simd_ge(lines[2].least);
+    let [v0, v1, v2] = setup.values;
+    let value = e0 * v0 + e1 * v1 + e2 * v2;
+    let value = value.max(setup.least).min(setup.greatest);
+    // Outside, a value that is nearer than none.
+    let value = inside.select(value, f64x4::splat(simd, F::NEVER));
+    let mut stored = [F::FAR; LANES];
+    for l in 0..LANES {
+        stored[l] = F::encode(value[l]);
     }
+    let block = depth.get_mut(at..);
+    if let Some(depth) = block.and_then(|depth| depth.first_chunk_mut::<LANES>()) {
+        let mut pass = [false; LANES];
+        for l in 0..LANES {
+            pass[l] = F::is_nearer(stored[l], depth[l]);
+        }
+        for l in 0..LANES {
+            depth[l] = F::nearer(stored[l], depth[l]);
+        }
+        paint.write_lanes(samples, at, ink, &pass, [e0, e1, e2]);
+    } else {
+        // The last pixels of the band.
+        for l in 0..LANES {
+            if let Some(depth) = depth.get_mut(at + l)
+                && F::is_nearer(stored[l], *depth)
+            {
+                *depth = stored[l];
+                paint.write(samples, at + l, ink, [e0[l], e1[l], e2[l]]);
+            }
+        }
+    }
+    u64::from(inside.to_bitmask().count_ones())
 }
 
 /// Where a row begins and ends, found without looking at its pixels.

@@ -45,10 +45,19 @@ pub trait DepthFormat: Copy + Debug + Send + Sync + 'static {
     /// What a stored value stands for: a value 0 … 1, of depth or 1 − depth.
     fn decode(stored: Self::Stored) -> f64;
 
+    /// How far stored values are apart around `value`, of 0 … 1.
+    fn spacing(value: f64) -> f64;
+
     /// Whether `a` is strictly nearer to the eye than `b`.
     #[inline(always)]
     fn is_nearer(a: Self::Stored, b: Self::Stored) -> bool {
         if Self::REVERSED { a > b } else { a < b }
+    }
+
+    /// The nearer one of two.
+    #[inline(always)]
+    fn nearer(a: Self::Stored, b: Self::Stored) -> Self::Stored {
+        if Self::is_nearer(a, b) { a } else { b }
     }
 
     /// The value that is interpolated and stored, of a point in clip space; 0 … 1 between near and far.
@@ -91,6 +100,10 @@ impl DepthFormat for Depth16 {
     fn decode(stored: u16) -> f64 {
         f64::from(stored) / f64::from(u16::MAX)
     }
+
+    fn spacing(_: f64) -> f64 {
+        1.0 / f64::from(u16::MAX)
+    }
 }
 
 impl DepthFormat for Depth24 {
@@ -107,6 +120,10 @@ impl DepthFormat for Depth24 {
     #[inline(always)]
     fn decode(stored: u32) -> f64 {
         f64::from(stored) / f64::from(U24::MAX.get())
+    }
+
+    fn spacing(_: f64) -> f64 {
+        1.0 / f64::from(U24::MAX.get())
     }
 }
 
@@ -125,6 +142,10 @@ impl DepthFormat for Depth32F {
     fn decode(stored: f32) -> f64 {
         f64::from(stored)
     }
+
+    fn spacing(value: f64) -> f64 {
+        spacing_f32(value)
+    }
 }
 
 impl DepthFormat for ReversedDepth32F {
@@ -142,6 +163,10 @@ impl DepthFormat for ReversedDepth32F {
     fn decode(stored: f32) -> f64 {
         f64::from(stored)
     }
+
+    fn spacing(value: f64) -> f64 {
+        spacing_f32(value)
+    }
 }
 
 /// The nearest integer of 0 … 2³², ties to even.
@@ -150,4 +175,14 @@ fn nearest_integer(value: f64) -> u64 {
     // From 2⁵² to 2⁵³ a double has no place for fractions: the sum is rounded, and its last digits are the integer.
     const INTEGERS: f64 = (1u64 << 52) as f64;
     (value + INTEGERS).to_bits() & 0xffff_ffff
+}
+
+/// From a number in single precision to the next greater one.
+fn spacing_f32(value: f64) -> f64 {
+    let exponent = if value > 0.0 {
+        libm::ilogb(value)
+    } else {
+        i32::MIN
+    };
+    libm::scalbn(1.0, exponent.max(-126) - 23)
 }

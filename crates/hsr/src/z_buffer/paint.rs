@@ -34,11 +34,11 @@ pub(super) trait Paint: Copy + Sync {
         i: usize,
         ink: &Self::Ink,
         pass: &[bool; LANES],
-        edges: [f64x4<S>; 3],
+        [e0, e1, e2]: [f64x4<S>; 3],
     ) {
         for (l, &pass) in pass.iter().enumerate() {
             if pass {
-                self.write(samples, i + l, ink, edges.map(|edge| edge[l]));
+                self.write(samples, i + l, ink, [e0[l], e1[l], e2[l]]);
             }
         }
     }

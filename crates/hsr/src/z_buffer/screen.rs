@@ -206,6 +206,12 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
+    /// Where vertex `i` comes out, if it is not clipped.
+    #[cfg(test)]
+    pub(super) fn corner(&self, i: usize) -> Option<Corner> {
+        self.corners.get(i).copied()
+    }
+
     /// Triangle `i` in the picture: no piece if it is outside the view volume, one if it need not be clipped. What
     /// clipping makes is put into `cut`.
     #[inline(always)]

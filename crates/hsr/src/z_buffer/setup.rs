@@ -2,8 +2,8 @@
 
 use core::ops::Range;
 
+use super::Cull;
 use super::screen::{Corner, SUBPIXELS, centres};
-use super::{Cull, LANES};
 
 /// A triangle with its corners in the order in which its edge functions are positive inside.
 ///
@@ -126,14 +126,6 @@ pub(super) struct Line {
     pub(super) down: f64,
     /// The least value with which a pixel is in: 0 on a top or a left side, 1 otherwise.
     pub(super) least: f64,
-}
-
-impl Line {
-    /// The values at the first pixels of the row.
-    #[inline(always)]
-    pub(super) fn lanes(&self) -> [f64; LANES] {
-        core::array::from_fn(|l| self.first + l as f64 * self.across)
-    }
 }
 
 /// Twice the area of a triangle in sub-pixels², positive where it is clockwise in the picture.

@@ -1,5 +1,5 @@
 use ombra_math::camera::Camera;
-use ombra_math::glam::{DMat4, DVec3};
+use ombra_math::glam::DVec3;
 use ombra_math::mesh::Mesh;
 use ombra_math::view::{Viewport, frustum, look_at, orthographic};
 use ombra_raster::buffers::image::{Luma, Rgba};
@@ -7,6 +7,10 @@ use ombra_raster::buffers::{self};
 use proptest::prelude::*;
 
 use super::*;
+
+mod drawing;
+mod exact;
+mod order;
 
 fn viewport(width: u32, height: u32) -> Viewport {
     Viewport { width, height }

@@ -1,0 +1,67 @@
+//! Which piece of a ring is cut, and by whose plane.
+
+use ombra_math::glam::DVec4;
+use ombra_math::work::Count;
+
+use super::extent::View;
+use super::piece::{Knife, Piece};
+use crate::pair::Pair;
+use crate::polygon::Polygon;
+
+/// What pieces are seen from, and what they were before the first cut.
+pub(super) struct Scene<'a> {
+    pub(super) polygons: &'a [Polygon],
+    pub(super) eye: DVec4,
+    pub(super) view: View,
+}
+
+impl Scene<'_> {
+    /// The place in the ring of a piece to cut, and its halves; `None` if no plane of one passes through another.
+    ///
+    /// ```text
+    /// ring: P₀ hides P₁ hides … hides P₀          cut Pᵢ by the plane of another, its neighbours' first
+    /// best: no half of Pᵢ hides Pᵢ₊₁ and is hidden by Pᵢ₋₁, so the ring is open
+    /// ```
+    ///
+    /// Any cut will do in the end; one that opens the ring at once saves pieces.
+    pub(super) fn cut<'a>(
+        &self,
+        ring: &[&Piece<'a>],
+        work: &mut impl Count,
+    ) -> Option<(usize, [Piece<'a>; 2])> {
+        let n = ring.len();
+        let knives: Vec<_> = ring.iter().map(|p| self.knife(p.source)).collect();
+        let at = |i: usize| ring.get(i % n).copied();
+        let steps = (1..n).map(|k| if k % 2 == 1 { k.div_ceil(2) } else { n - k / 2 });
+        let mut any = None;
+        for step in steps {
+            for i in 0..n {
+                let (before, piece, after) = (at(i + n - 1)?, at(i)?, at(i + 1)?);
+                let (knife, own) = (knives.get((i + step) % n)?, knives.get(i)?);
+                let planes = knife.as_ref().zip(own.as_ref());
+                let Some(halves) = planes.and_then(|(knife, own)| piece.cut(knife, own, self))
+                else {
+                    continue;
+                };
+                let mut closes =
+                    |half: &Piece| self.hides(before, half, work) && self.hides(half, after, work);
+                if !halves.iter().any(&mut closes) {
+                    return Some((i, halves));
+                }
+                any = any.or(Some((i, halves)));
+            }
+        }
+        any
+    }
+
+    /// The plane of a primitive.
+    pub(super) fn knife(&self, source: usize) -> Option<Knife> {
+        Knife::new(source, self.polygons.get(source)?, self.eye)
+    }
+
+    /// Whether a piece hides part of another.
+    pub(super) fn hides(&self, front: &Piece, back: &Piece, work: &mut impl Count) -> bool {
+        let pair = front.compare(back, self.eye, work);
+        matches!(pair, Pair::FirstNearer | Pair::Crossing)
+    }
+}

@@ -1,0 +1,335 @@
+//! The depth sort: the farthest first, unless it hides what is not painted yet; and what to do about a ring.
+//!
+//! # Why cutting ends
+//!
+//! A ring lasts only while one of its pieces is not known to lie on one side of the plane of another. Suppose all are
+//! known, and take the plane of a piece R: a piece beyond it hides neither R nor what is on the eye's side, and R hides
+//! nothing on the eye's side. So the ring lies wholly on one side, and the same holds there, until a single
+//! primitive is left, whose pieces do not hide each other. That is how a tree of planes orders a scene, and it needs
+//! nothing but sides that are settled once, however vertices are rounded.
+//!
+//! So each ring settles a side: by a cut, if a plane passes through a piece, otherwise by where its vertices lie. A piece
+//! has at most k − 1 sides to settle, which bounds the number of cuts in a row. Between two of these, the path of pieces that wait
+//! grows to a ring or everything is painted.
+
+use core::cmp::Ordering;
+use std::collections::{BinaryHeap, HashMap};
+
+use ombra_math::glam::DVec4;
+use ombra_math::work::Count;
+
+use super::cut::Scene;
+use super::cycle::{Cycle, ring_on};
+use super::extent::View;
+use super::piece::Piece;
+use super::tree::Tree;
+use crate::polygon::Polygon;
+
+#[derive(Clone, Copy)]
+enum State {
+    Waiting,
+    /// To be painted as soon as what it hides is: at this place of the path.
+    Open(usize),
+    Painted,
+    /// Cut in two other pieces.
+    Cut([usize; 2]),
+}
+
+/// A place in the sort: farther first, then as submitted.
+#[derive(Clone, Copy, PartialEq)]
+struct Place {
+    distance: f64,
+    source: usize,
+    piece: usize,
+}
+
+impl Place {
+    fn of(number: usize, piece: &Piece) -> Self {
+        Self {
+            distance: piece.distance(),
+            source: piece.source,
+            piece: number,
+        }
+    }
+}
+
+impl Eq for Place {}
+
+impl Ord for Place {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let nearer = self.distance.total_cmp(&other.distance);
+        nearer
+            .then(other.source.cmp(&self.source))
+            .then(other.piece.cmp(&self.piece))
+    }
+}
+
+impl PartialOrd for Place {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// A step of the path: a piece, and what it hides.
+struct Step {
+    piece: usize,
+    /// Farthest first.
+    hides: Vec<usize>,
+    /// How many of these are done.
+    done: usize,
+}
+
+/// What is painted, what waits, and why.
+pub(super) struct DepthSort<'a, 'w, C> {
+    scene: Scene<'a>,
+    /// The primitives, then what they were cut into.
+    pieces: Vec<Piece<'a>>,
+    states: Vec<State>,
+    tree: Tree,
+    /// All that may have to be painted, the next on top.
+    sorted: BinaryHeap<Place>,
+    /// What is next in the sort, and after it what has to be painted before because the one before hides it.
+    path: Vec<Step>,
+    /// What pieces hide that were taken back from the path: they need not be compared again.
+    found: HashMap<usize, Vec<usize>>,
+    painted: Vec<usize>,
+    work: &'w mut C,
+}
+
+impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
+    pub(super) fn new(polygons: &'a [Polygon], eye: DVec4, work: &'w mut C) -> Self {
+        let view = View::of(eye);
+        let whole = |(i, polygon)| Piece::whole(i, polygon, &view);
+        let pieces: Vec<_> = polygons.iter().enumerate().map(whole).collect();
+        let extents: Vec<_> = pieces.iter().map(|p| p.extent).collect();
+        let places = pieces.iter().enumerate();
+        Self {
+            scene: Scene {
+                polygons,
+                eye,
+                view,
+            },
+            states: vec![State::Waiting; pieces.len()],
+            tree: Tree::new(&extents),
+            sorted: places.map(|(i, piece)| Place::of(i, piece)).collect(),
+            path: Vec::new(),
+            found: HashMap::new(),
+            painted: Vec::with_capacity(pieces.len()),
+            pieces,
+            work,
+        }
+    }
+
+    /// The order of the primitives.
+    pub(super) fn order(mut self) -> Result<Vec<usize>, Cycle> {
+        match self.paint_until_ring() {
+            Some(ring) => Err(Cycle::of(ring)),
+            None => Ok(self.painted),
+        }
+    }
+
+    /// The order of pieces, cut where there was none.
+    pub(super) fn order_by_cutting(mut self) -> Vec<(usize, Polygon)> {
+        while let Some(ring) = self.paint_until_ring() {
+            let pieces: Vec<_> = ring.iter().filter_map(|&i| self.pieces.get(i)).collect();
+            let cut = self.scene.cut(&pieces, self.work);
+            match cut.and_then(|(i, halves)| Some((*ring.get(i)?, halves))) {
+                Some((piece, halves)) => self.replace(piece, halves),
+                None if self.settle(&ring) => {}
+                // Sides that are settled make no ring; should one be left, any of it may come first.
+                None => self.skip(),
+            }
+        }
+        let take = |i: usize| {
+            let piece = self.pieces.get_mut(i)?;
+            let polygon = core::mem::take(&mut piece.polygon);
+            Some((piece.source, polygon.into_owned()))
+        };
+        self.painted.into_iter().filter_map(take).collect()
+    }
+
+    fn state(&self, piece: usize) -> State {
+        self.states.get(piece).copied().unwrap_or(State::Painted)
+    }
+
+    fn set_state(&mut self, piece: usize, state: State) {
+        if let Some(slot) = self.states.get_mut(piece) {
+            *slot = state;
+        }
+    }
+
+    /// Paints all, or up to a ring of which each hides the next. Then the last step's next hidden one is on the path.
+    fn paint_until_ring(&mut self) -> Option<Vec<usize>> {
+        loop {
+            let Some(step) = self.path.last() else {
+                let next = self.sorted.pop()?.piece;
+                if let State::Waiting = self.state(next) {
+                    self.open(next);
+                }
+                continue;
+            };
+            let Some(&hidden) = step.hides.get(step.done) else {
+                self.paint_last();
+                continue;
+            };
+            match self.state(hidden) {
+                State::Painted => self.skip(),
+                State::Waiting => self.open(hidden),
+                State::Cut(halves) => self.hide_instead(halves),
+                State::Open(start) => return Some(self.ring_from(start)),
+            }
+        }
+    }
+
+    /// Paints the last piece of the path.
+    fn paint_last(&mut self) {
+        if let Some(step) = self.path.pop() {
+            self.set_state(step.piece, State::Painted);
+            self.tree.remove(step.piece);
+            self.painted.push(step.piece);
+        }
+    }
+
+    /// Goes on with the next that the last step hides.
+    fn skip(&mut self) {
+        if let Some(step) = self.path.last_mut() {
+            step.done += 1;
+        }
+    }
+
+    /// Puts a piece at the end of the path.
+    fn open(&mut self, piece: usize) {
+        let hides = match self.found.remove(&piece) {
+            Some(hides) => hides,
+            None => self.find_hidden(piece),
+        };
+        self.set_state(piece, State::Open(self.path.len()));
+        self.path.push(Step {
+            piece,
+            hides,
+            done: 0,
+        });
+    }
+
+    /// What a piece hides of all that waits, the farthest first.
+    fn find_hidden(&mut self, piece: usize) -> Vec<usize> {
+        let extent = self.pieces.get(piece).and_then(|p| p.extent);
+        let others = match extent {
+            Some(extent) => self.tree.may_be_hidden(&extent, self.work),
+            None => Vec::new(),
+        };
+        let mut hidden = Vec::new();
+        for other in others {
+            if self.hides(piece, other) {
+                hidden.extend(self.pieces.get(other).map(|p| Place::of(other, p)));
+            }
+        }
+        hidden.sort_unstable_by(|a, b| b.cmp(a));
+        hidden.into_iter().map(|place| place.piece).collect()
+    }
+
+    fn hides(&mut self, front: usize, back: usize) -> bool {
+        let pair = self.pieces.get(front).zip(self.pieces.get(back));
+        pair.is_some_and(|(front, back)| self.scene.hides(front, back, self.work))
+    }
+
+    /// The pieces of the path from `start` on that make a ring.
+    fn ring_from(&self, start: usize) -> Vec<usize> {
+        let steps = self.path.get(start..).unwrap_or_default();
+        let path: Vec<usize> = steps.iter().map(|s| s.piece).collect();
+        ring_on(&path, |piece| match self.state(piece) {
+            State::Open(place) => self.path.get(place).map_or(&[], |s| &s.hides),
+            _ => &[],
+        })
+    }
+
+    /// Takes the last step's next hidden piece for its halves.
+    fn hide_instead(&mut self, halves: [usize; 2]) {
+        let Some(front) = self.path.last().map(|s| s.piece) else {
+            return;
+        };
+        let hidden = halves.map(|half| self.hides(front, half).then_some(half));
+        if let Some(step) = self.path.last_mut() {
+            let at = step.done..(step.done + 1).min(step.hides.len());
+            step.hides.splice(at, hidden.into_iter().flatten());
+        }
+    }
+
+    /// Settles where the pieces of a ring that no plane cuts lie from each other's planes, and starts the path anew; says
+    /// whether any of that was news.
+    fn settle(&mut self, ring: &[usize]) -> bool {
+        let sources = ring.iter().filter_map(|&i| self.pieces.get(i));
+        let knives: Vec<_> = sources.filter_map(|p| self.scene.knife(p.source)).collect();
+        let mut is_news = false;
+        for &member in ring {
+            if let Some(piece) = self.pieces.get_mut(member) {
+                for knife in &knives {
+                    is_news |= piece.settle(knife);
+                }
+            }
+        }
+        if is_news {
+            self.take_back(0);
+            self.found.clear();
+        }
+        is_news
+    }
+
+    /// Ends the path before this place.
+    fn take_back(&mut self, place: usize) {
+        if let (0, Some(first)) = (place, self.path.first().map(|s| s.piece)) {
+            // What the path began with was taken out of the sort.
+            self.sorted
+                .extend(self.pieces.get(first).map(|p| Place::of(first, p)));
+        }
+        for step in self.path.drain(place..) {
+            if let Some(state) = self.states.get_mut(step.piece) {
+                *state = State::Waiting;
+            }
+            self.found.insert(step.piece, step.hides);
+        }
+    }
+
+    /// Puts the halves of a piece in its place. The path is taken back to where it was opened.
+    fn replace(&mut self, piece: usize, halves: [Piece<'a>; 2]) {
+        let State::Open(place) = self.state(piece) else {
+            return;
+        };
+        self.take_back(place);
+        let first = self.pieces.len();
+        for (number, half) in (first..).zip(halves) {
+            self.sorted.push(Place::of(number, &half));
+            if let Some(extent) = half.extent {
+                self.tree.insert(number, extent, piece);
+            }
+            self.pieces.push(half);
+            self.states.push(State::Waiting);
+        }
+        self.tree.remove(piece);
+        self.set_state(piece, State::Cut([first, first + 1]));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ombra_math::glam::DVec3;
+
+    /// What a path is taken back from is painted all the same.
+    #[test]
+    fn settling_loses_nothing() {
+        let square = |z: f64| Polygon {
+            vertices: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+                .map(|[x, y]| DVec3::new(x, y, z))
+                .to_vec(),
+        };
+        let scene = [0.0, 1.0, 2.0].map(square);
+        let mut work = ();
+        let mut sort = DepthSort::new(&scene, DVec4::Z, &mut work);
+        let first = sort.sorted.pop().unwrap().piece;
+        sort.open(first);
+        assert!(sort.settle(&[0, 1]));
+        assert!(!sort.settle(&[0, 1]));
+        assert_eq!(sort.order(), Ok(vec![0, 1, 2]));
+    }
+}

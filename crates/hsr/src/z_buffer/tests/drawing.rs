@@ -1,0 +1,344 @@
+//! Clipping, culling, colours, counts, errors.
+
+use ombra_math::glam::{DMat3, DMat4, DVec2};
+use ombra_math::solids;
+use ombra_math::work::Work;
+use proptest::num::f64::ANY;
+
+use super::*;
+
+/// Depth and shares of the corners at a place of the picture, straight from clip coordinates: no clipping, no snapping.
+fn cast(camera: &Camera, triangle: [DVec3; 3], pixel: DVec2) -> Option<(f64, DVec3)> {
+    let p = triangle.map(|v| camera.to_clip(v));
+    let size = DVec2::new(
+        f64::from(camera.viewport.width),
+        f64::from(camera.viewport.height),
+    );
+    let ndc = (2.0 * pixel / size - 1.0) * DVec2::new(1.0, -1.0);
+    // The shares s with Σ sᵢ (xᵢ, yᵢ, wᵢ) = w (x, y, 1).
+    let matrix = DMat3::from_cols_array_2d(&p.map(|p| [p.x, p.y, p.w]));
+    let shares = matrix.inverse() * ndc.extend(1.0);
+    let shares = shares / shares.element_sum();
+    let point = p[0] * shares.x + p[1] * shares.y + p[2] * shares.z;
+    let seen = shares.min_element() >= 0.0 && point.w > 0.0 && point.z.abs() <= point.w;
+    seen.then_some((0.5 + 0.5 * point.z / point.w, shares))
+}
+
+fn triangles() -> impl Strategy<Value = [DVec3; 3]> {
+    let position = prop::array::uniform3(-2.0..2.0f64).prop_map(DVec3::from);
+    prop::array::uniform3(position)
+}
+
+proptest! {
+    /// Where the picture is the same within a hundredth of a pixel all round, the pixel is covered or not as it should
+    /// be, also when the triangle reaches behind the eye; and depth and colour are right.
+    #[test]
+    fn clipped_triangles_come_out_where_they_are(triangle in triangles(), camera in cameras()) {
+        let Viewport { width, height } = camera.viewport;
+        let mesh = Mesh::new(triangle.to_vec(), vec![[0, 1, 2]]).unwrap();
+        let colours = [[1.0f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(image_rgb);
+        let mut picture = buffers::new(width, height, image_rgb([0.0; 3])).unwrap();
+        let mut depth = DepthBuffer::<Depth32F>::new(width, height).unwrap();
+        let colours = Colours::PerVertex(&colours);
+        draw(&mesh, &camera, colours, Options::default(), &mut picture, &mut depth).unwrap();
+        for (x, y, pixel) in picture.enumerate_pixels() {
+            let centre = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            let around = [(0.0, 0.0), (0.01, 0.01), (-0.01, 0.01), (0.01, -0.01), (-0.01, -0.01)]
+                .map(|offset| cast(&camera, triangle, centre + DVec2::from(offset)));
+            let found = f64::from(depth.stored(x, y).unwrap());
+            if around.iter().all(Option::is_none) {
+                prop_assert_eq!(found, 1.0, "{} {}", x, y);
+            } else if let [Some(at), Some(a), Some(b), Some(c), Some(d)] = around {
+                let near_far = [a.0, b.0, c.0, d.0];
+                let least = near_far.into_iter().fold(at.0, f64::min);
+                let greatest = near_far.into_iter().fold(at.0, f64::max);
+                // The rounding to f32; that of the oracle's inverse is far below unless it is nearly singular.
+                let slack = f64::from(f32::EPSILON) + 1e-6 * (greatest - least);
+                prop_assert!(found >= least - slack && found <= greatest + slack, "{} {}: {} in {}..{}", x, y, found, least, greatest);
+                let colour = DVec3::from(pixel.0.map(f64::from));
+                if found < 1.0 {
+                    let spread = [a, b, c, d].map(|(_, s)| (s - at.1).abs().max_element());
+                    let spread = spread.into_iter().fold(0.0, f64::max);
+                    let error = (colour - at.1).abs().max_element();
+                    prop_assert!(error <= spread + 1e-6, "{} {}: {} is {}", x, y, colour, at.1);
+                }
+            }
+        }
+    }
+
+    /// Nothing panics; input that cannot be drawn is refused.
+    #[test]
+    fn never_panics(
+        matrix in prop::array::uniform16(ANY),
+        positions in prop::collection::vec(prop::array::uniform3(ANY), 0..5),
+        triangles in prop::collection::vec(prop::array::uniform3(0..5u32), 0..6),
+        finite in any::<bool>(),
+    ) {
+        let tame = |x: f64| if finite && !x.is_finite() { 1.0 } else { x };
+        let mesh = Mesh { positions: positions.iter().map(|&p| DVec3::from(p.map(tame))).collect(), triangles };
+        let camera = Camera { view_projection: DMat4::from_cols_array(&matrix.map(tame)), viewport: viewport(5, 4) };
+        let mut depth = DepthBuffer::<Depth16>::new(5, 4).unwrap();
+        let _ = draw_depth(&mesh, &camera, Cull::Nothing, &mut depth);
+        let mut plain = DepthBuffer::<Depth16>::new(5, 4).unwrap();
+        let _ = draw_depth_plain(&mesh, &camera, Cull::Nothing, &mut plain);
+        prop_assert_eq!(depth.image(), plain.image());
+    }
+}
+
+fn image_rgb(channels: [f32; 3]) -> buffers::image::Rgb<f32> {
+    buffers::image::Rgb(channels)
+}
+
+fn looking_at_the_origin(size: u32) -> Camera {
+    let view = look_at(DVec3::new(1.0, 2.0, 4.0), DVec3::ZERO, DVec3::Y).unwrap();
+    let projection = frustum(-0.3, 0.3, -0.3, 0.3, 1.0, 10.0).unwrap();
+    Camera {
+        view_projection: projection * view,
+        viewport: viewport(size, size),
+    }
+}
+
+#[test]
+fn culling_halves_the_work_and_changes_no_picture_of_a_solid() {
+    let mesh = solids::sphere(1.0, 40, 20).unwrap();
+    let camera = looking_at_the_origin(64);
+    let run = |cull| {
+        let mut depth = DepthBuffer::<Depth24>::new(64, 64).unwrap();
+        let mut work = Work::default();
+        draw_depth_counted(&mesh, &camera, cull, &mut depth, &mut work).unwrap();
+        (depth, work)
+    };
+    let ((all, all_work), (front, front_work), (back, back_work)) =
+        (run(Cull::Nothing), run(Cull::Back), run(Cull::Front));
+    assert_eq!(all.image(), front.image());
+    assert_ne!(all.image(), back.image());
+    assert_eq!(
+        front_work.fragments + back_work.fragments,
+        all_work.fragments
+    );
+    // A closed surface covers each pixel as often from the front as from the back: no pixel is lost or drawn twice.
+    assert_eq!(front_work.fragments, back_work.fragments);
+    assert!(front_work.fragments > 500);
+    assert_eq!(all_work.depth_tests, all_work.fragments);
+    assert_eq!(all_work.vertices, mesh.positions.len() as u64);
+}
+
+#[test]
+fn counts() {
+    // Half of a square of 4 × 4 pixels: the diagonal's four pixels go to one of the halves.
+    let corners =
+        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+    let camera = Camera {
+        view_projection: DMat4::IDENTITY,
+        viewport: viewport(4, 4),
+    };
+    let count = |triangles: &[[u32; 3]]| {
+        let mesh = Mesh::new(corners.to_vec(), triangles.to_vec()).unwrap();
+        let mut depth = DepthBuffer::<Depth16>::new(4, 4).unwrap();
+        let mut work = Work::default();
+        draw_depth_counted(&mesh, &camera, Cull::Nothing, &mut depth, &mut work).unwrap();
+        let mut picture = buffers::new(4, 4, Luma([0u8])).unwrap();
+        let mut again = Work::default();
+        let mut depth = DepthBuffer::<Depth16>::new(4, 4).unwrap();
+        let colours = Colours::One(Luma([1]));
+        draw_counted(
+            &mesh,
+            &camera,
+            colours,
+            Options::default(),
+            &mut picture,
+            &mut depth,
+            &mut again,
+        )
+        .unwrap();
+        assert_eq!(work, again);
+        work
+    };
+    let both = count(&[[0, 1, 2], [0, 2, 3]]);
+    assert_eq!(both.to_string(), "16 fragments, 16 depth tests, 4 vertices");
+    assert_eq!(
+        count(&[[0, 1, 2]]).fragments + count(&[[0, 2, 3]]).fragments,
+        16
+    );
+    // Hidden fragments are tested as well.
+    assert_eq!(
+        count(&[[0, 1, 2], [0, 2, 3], [0, 1, 2], [0, 2, 3]]).fragments,
+        32
+    );
+    assert_eq!(count(&[]).to_string(), "4 vertices");
+}
+
+#[test]
+fn colours_of_vertices_are_interpolated_in_space() {
+    // A floor strip from distance 1 to 3, seen from above its middle: at the row where w = 2, half the way.
+    let at = |x: f64, z: f64| DVec3::new(x, -1.0, -z);
+    let mesh = Mesh::new(
+        vec![at(-9.0, 1.0), at(9.0, 1.0), at(9.0, 3.0), at(-9.0, 3.0)],
+        vec![[0, 1, 2], [0, 2, 3]],
+    )
+    .unwrap();
+    let camera = Camera {
+        view_projection: frustum(-1.0, 1.0, -1.0, 0.0, 1.0, 10.0).unwrap(),
+        viewport: viewport(1, 2),
+    };
+    let colours = [0.0f32, 0.0, 1.0, 1.0].map(|v| Luma([v]));
+    let mut picture = buffers::new(1, 2, Luma([9.0f32])).unwrap();
+    let mut depth = DepthBuffer::<Depth24>::new(1, 2).unwrap();
+    draw(
+        &mesh,
+        &camera,
+        Colours::PerVertex(&colours),
+        Options::default(),
+        &mut picture,
+        &mut depth,
+    )
+    .unwrap();
+    // The lower pixel's centre is at y = −3/4 w: w = 4/3, a sixth of the way. The upper one's at −1/4: w = 4, beyond.
+    assert_eq!(picture.as_raw()[0], 9.0);
+    assert!((picture.as_raw()[1] - 1.0 / 6.0).abs() <= f32::EPSILON);
+}
+
+#[test]
+fn refused() {
+    let good = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]]).unwrap();
+    let camera = Camera {
+        view_projection: DMat4::IDENTITY,
+        viewport: viewport(3, 2),
+    };
+    let run = |mesh: &Mesh, camera: &Camera, colours: Colours<'_, Luma<u8>>, size: (u32, u32)| {
+        let mut picture = buffers::new(size.0, size.1, Luma([7])).unwrap();
+        let mut depth = DepthBuffer::<Depth16>::new(3, 2).unwrap();
+        let result = draw(
+            mesh,
+            camera,
+            colours,
+            Options::default(),
+            &mut picture,
+            &mut depth,
+        );
+        if result.is_err() {
+            assert!(picture.iter().all(|&v| v == 7) && depth == DepthBuffer::new(3, 2).unwrap());
+        }
+        result
+    };
+    let one = Colours::One(Luma([1]));
+    let with = |position| Mesh {
+        positions: vec![DVec3::ZERO, DVec3::X, position],
+        ..good.clone()
+    };
+    let huge = DVec3::splat(f64::MAX);
+    let nan = DVec3::new(0.0, f64::NAN, 0.0);
+    let mut matrix = DMat4::IDENTITY;
+    matrix.x_axis.z = f64::INFINITY;
+    let bad_matrix = Camera {
+        view_projection: matrix,
+        ..camera
+    };
+    let doubling = Camera {
+        view_projection: DMat4::from_scale(DVec3::splat(2.0)),
+        ..camera
+    };
+    let index = Mesh {
+        triangles: vec![[0, 1, 2], [2, 3, 0]],
+        ..good.clone()
+    };
+    let long = Camera {
+        viewport: viewport(MAX_SIDE + 1, 1),
+        ..camera
+    };
+    let cases = [
+        (run(&good, &camera, one, (3, 2)), "drawn"),
+        (
+            run(&with(nan), &camera, one, (3, 2)),
+            "vertex 2 is at [0, NaN, 0]; its coordinates must be finite numbers",
+        ),
+        (
+            run(&with(huge), &doubling, one, (3, 2)),
+            &format!("vertex 2 at {huge} has clip coordinates beyond the largest double"),
+        ),
+        (
+            run(&good, &bad_matrix, one, (3, 2)),
+            "the camera's matrix has inf in row 2, column 0; all its numbers must be finite",
+        ),
+        (
+            run(&index, &camera, one, (3, 2)),
+            "triangle 1 names vertex 3, but there are 3, numbered from 0",
+        ),
+        (
+            run(&good, &camera, one, (2, 3)),
+            "the buffer has 2 × 3 pixels, but the camera's viewport has 3 × 2",
+        ),
+        (
+            run(&good, &camera, Colours::PerTriangle(&[]), (3, 2)),
+            "there are 0 colours; there must be 1, one each",
+        ),
+        (
+            run(&good, &camera, Colours::PerVertex(&[Luma([1])]), (3, 2)),
+            "there are 1 colours; there must be 3, one each",
+        ),
+        (
+            run(&good, &long, one, (MAX_SIDE + 1, 1)),
+            "a picture of 32769 × 1 pixels is too large to draw: a side has at most 32768",
+        ),
+    ];
+    for (result, expected) in cases {
+        assert_eq!(
+            result.map_or_else(|e| e.to_string(), |()| "drawn".to_owned()),
+            expected
+        );
+    }
+}
+
+#[test]
+fn degenerate() {
+    let empty = Mesh::default();
+    let triangle = Mesh::new(
+        vec![-DVec3::ONE, DVec3::X, DVec3::Y],
+        vec![[0, 1, 2], [0, 0, 0], [1, 2, 1]],
+    )
+    .unwrap();
+    for (width, height) in [(0, 0), (0, 9), (9, 0), (1, 1), (MAX_SIDE, 1), (1, MAX_SIDE)] {
+        let camera = Camera {
+            view_projection: DMat4::IDENTITY,
+            viewport: viewport(width, height),
+        };
+        for mesh in [&empty, &triangle] {
+            let (mut fast, mut plain) = (
+                DepthBuffer::<Depth24>::new(width, height).unwrap(),
+                DepthBuffer::<Depth24>::new(width, height).unwrap(),
+            );
+            draw_depth(mesh, &camera, Cull::Nothing, &mut fast).unwrap();
+            draw_depth_plain(mesh, &camera, Cull::Nothing, &mut plain).unwrap();
+            assert_eq!(fast.image(), plain.image());
+        }
+    }
+    // All behind the eye; the zero vector for every point; everything on the far plane, which is not nearer than it.
+    let camera = looking_at_the_origin(8);
+    let behind = Mesh {
+        positions: triangle
+            .positions
+            .iter()
+            .map(|p| *p + DVec3::new(2.0, 4.0, 8.0))
+            .collect(),
+        ..triangle.clone()
+    };
+    let far = Camera {
+        view_projection: DMat4::from_translation(DVec3::Z),
+        viewport: viewport(8, 8),
+    };
+    let flat = Mesh {
+        positions: [-DVec3::ONE, DVec3::X, DVec3::Y]
+            .map(|p| p * DVec3::new(1.0, 1.0, 0.0))
+            .to_vec(),
+        ..triangle.clone()
+    };
+    let nowhere = Camera {
+        view_projection: DMat4::ZERO,
+        viewport: viewport(8, 8),
+    };
+    for (mesh, camera) in [(&behind, camera), (&triangle, nowhere), (&flat, far)] {
+        let mut depth = DepthBuffer::<Depth16>::new(8, 8).unwrap();
+        draw_depth(mesh, &camera, Cull::Nothing, &mut depth).unwrap();
+        assert_eq!(depth, DepthBuffer::new(8, 8).unwrap());
+    }
+}

@@ -1,0 +1,202 @@
+//! The order of triangles, threads, transparency.
+
+use ombra_raster::buffers::image::Rgba;
+
+use super::*;
+
+const SIZE: (u32, u32) = (48, 40);
+
+fn front() -> Camera {
+    Camera {
+        view_projection: orthographic(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0).unwrap(),
+        viewport: viewport(SIZE.0, SIZE.1),
+    }
+}
+
+/// The number of the triangle seen at each pixel, and the depths.
+fn ids<F: DepthFormat>(mesh: &Mesh, camera: &Camera) -> (Vec<u32>, DepthBuffer<F>) {
+    let Viewport { width, height } = camera.viewport;
+    let colours: Vec<_> = (0..mesh.triangles.len() as u32)
+        .map(|i| Luma([i]))
+        .collect();
+    let mut picture = buffers::new(width, height, Luma([u32::MAX])).unwrap();
+    let mut depth = DepthBuffer::new(width, height).unwrap();
+    let colours = Colours::PerTriangle(&colours);
+    draw(
+        mesh,
+        camera,
+        colours,
+        Options::default(),
+        &mut picture,
+        &mut depth,
+    )
+    .unwrap();
+    (picture.into_raw(), depth)
+}
+
+proptest! {
+    /// Whatever the order: the depths are the same, and where only one triangle has the nearest, so is the picture. Where
+    /// several have it, the first submitted is seen.
+    #[test]
+    fn order_decides_ties_alone(mesh in meshes(), camera in cameras(), seed in any::<u64>()) {
+        let n = mesh.triangles.len();
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_by_key(|&i| (i as u64 + 1).wrapping_mul(seed | 1) >> 7);
+        let shuffled = Mesh {
+            triangles: order.iter().map(|&i| mesh.triangles[i]).collect(),
+            ..mesh.clone()
+        };
+        let (picture, depth) = ids::<Depth16>(&mesh, &camera);
+        let (other, other_depth) = ids::<Depth16>(&shuffled, &camera);
+        prop_assert_eq!(depth.image().as_raw(), other_depth.image().as_raw());
+        // The depths of each triangle alone.
+        let alone: Vec<_> = mesh.triangles.iter().map(|&t| {
+            let one = Mesh { triangles: vec![t], ..mesh.clone() };
+            ids::<Depth16>(&one, &camera).1
+        }).collect();
+        for (i, (&seen, &seen_other)) in picture.iter().zip(&other).enumerate() {
+            let nearest = depth.image().as_raw()[i];
+            let has_it = |t: usize| nearest < u16::MAX && alone[t].image().as_raw()[i] == nearest;
+            let first = (0..n).find(|&t| has_it(t)).map_or(u32::MAX, |t| t as u32);
+            let first_other = (0..n).find(|&k| has_it(order[k])).map_or(u32::MAX, |k| k as u32);
+            prop_assert_eq!((seen, seen_other), (first, first_other), "pixel {}", i);
+        }
+    }
+}
+
+/// Many triangles of all sizes, in layers that tie.
+fn many(n: u32) -> Mesh {
+    let mut random = 1u32;
+    let mut next = |below: u32| {
+        random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (random >> 8) % below
+    };
+    let positions = (0..n)
+        .map(|_| {
+            let [x, y, z] = [next(64), next(64), next(5)].map(f64::from);
+            DVec3::new(x / 16.0 - 2.0, y / 16.0 - 2.0, z / 2.0 - 1.0)
+        })
+        .collect();
+    let triangles = (0..n)
+        .map(|i| {
+            let far = if i % 7 == 0 { next(n) } else { (i + 2) % n };
+            [i, (i + 1) % n, far]
+        })
+        .collect();
+    Mesh {
+        positions,
+        triangles,
+    }
+}
+
+#[cfg(feature = "parallel")]
+#[test]
+fn threads_change_nothing() {
+    let mesh = many(20_000);
+    let n = mesh.triangles.len();
+    let colours: Vec<_> = (0..n)
+        .map(|i| Rgba([i as u8, (i >> 8) as u8, 7, (i * 13) as u8]))
+        .collect();
+    let near_cuts = Camera {
+        view_projection: frustum(-0.3, 0.3, -0.3, 0.3, 0.3, 4.0).unwrap(),
+        viewport: viewport(150, 170),
+    };
+    let flat = Camera {
+        viewport: viewport(150, 170),
+        ..front()
+    };
+    for (camera, blend) in [
+        (flat, Blend::Replace),
+        (flat, Blend::Over),
+        (near_cuts, Blend::Over),
+    ] {
+        let options = Options {
+            blend,
+            ..Options::default()
+        };
+        let run = |form| {
+            let mut picture = buffers::new(150, 170, Rgba([0, 0, 0, 255])).unwrap();
+            let mut depth = DepthBuffer::<Depth24>::new(150, 170).unwrap();
+            let target = (&mut picture, &mut depth);
+            drawn(
+                &mesh,
+                &camera,
+                Colours::PerTriangle(&colours),
+                options,
+                target,
+                form,
+                &mut (),
+            )
+            .unwrap();
+            (picture.into_raw(), depth.into_image().into_raw())
+        };
+        let expected = run(Form::Plain);
+        assert!(expected.0.iter().filter(|&&v| v > 0).count() > 10_000);
+        for threads in [1, 2, 3, 8] {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
+            assert!(
+                pool.install(|| run(Form::Threads)) == expected,
+                "{threads} threads"
+            );
+        }
+        assert!(run(Form::Fast) == expected);
+    }
+}
+
+/// Two half transparent squares at one place: the far one shows through the near one only if it is drawn first.
+#[test]
+fn transparency_depends_on_order() {
+    let square = |z: f64| {
+        [(-2.0, -2.0), (2.0, -2.0), (2.0, 2.0), (-2.0, 2.0)].map(|(x, y)| DVec3::new(x, y, z))
+    };
+    let (near, far) = (square(1.0), square(-1.0));
+    let faces = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
+    let (red, blue) = (Rgba([255, 0, 0, 128]), Rgba([0, 0, 255, 128]));
+    let draw_both = |first: [DVec3; 4], second: [DVec3; 4], colours: [Rgba<u8>; 2]| {
+        let mesh = Mesh::new([first, second].concat(), faces.to_vec()).unwrap();
+        let [a, b] = colours;
+        let mut picture = buffers::new(SIZE.0, SIZE.1, Rgba([255u8; 4])).unwrap();
+        let mut depth = DepthBuffer::<Depth24>::new(SIZE.0, SIZE.1).unwrap();
+        let options = Options {
+            blend: Blend::Over,
+            ..Options::default()
+        };
+        let colours = [a, a, b, b];
+        draw(
+            &mesh,
+            &front(),
+            Colours::PerTriangle(&colours),
+            options,
+            &mut picture,
+            &mut depth,
+        )
+        .unwrap();
+        let first = *picture.get_pixel(0, 0);
+        assert!(picture.pixels().all(|&p| p == first), "one colour, no seam");
+        (first, depth)
+    };
+    let (back_to_front, depth) = draw_both(far, near, [blue, red]);
+    let (front_to_back, depth_too) = draw_both(near, far, [red, blue]);
+    // Of white: blue over it, (127, 127, 255); red over that. Red over white alone, the far one is not nearer.
+    assert_eq!(back_to_front, Rgba([191, 63, 127, 255]));
+    assert_eq!(front_to_back, Rgba([255, 127, 127, 255]));
+    assert_eq!(depth.image(), depth_too.image());
+}
+
+/// 10⁶ triangles, and a near plane of 10⁻⁹ of far.
+#[test]
+fn a_million_triangles() {
+    let mesh = many(1_000_000);
+    let (picture, depth) = ids::<Depth32F>(&mesh, &front());
+    let one = Mesh {
+        triangles: mesh.triangles.iter().rev().copied().collect(),
+        ..mesh
+    };
+    let (_, reversed) = ids::<Depth32F>(&one, &front());
+    // All but the last column and row or two are full.
+    assert!(picture.iter().filter(|&&id| id < 1_000_000).count() >= 46 * 38);
+    assert_eq!(depth.image(), reversed.image());
+}
