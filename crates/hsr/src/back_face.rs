@@ -2,6 +2,8 @@
 //!
 //! Of a closed solid whose faces look outward, those that look away from the viewer are hidden by the others. One sign a
 //! face tells them, and saves about half of the work of every method that follows.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/back-face.svg"))]
 
 use core::cmp::Ordering;
 

@@ -3,6 +3,8 @@
 //! For each pixel a ray leaves the eye, is intersected with the plane of every primitive, and the nearest intersection
 //! that lies inside its primitive gives the pixel its primitive: n·m pixels and k primitives take n·m·k intersections.
 //! Nothing is sorted, clipped or projected, and every decision is exact: this is the reference for the other methods.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/image-space-ray.svg"))]
 
 mod ray;
 

@@ -2,6 +2,8 @@
 //!
 //! The answer is made of polygons: as sharp at any size of the picture, and fit for a plotter. Its price is k (k − 1)
 //! / 2 comparisons for k primitives, whatever the picture.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/object-space-pairs.svg"))]
 
 use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::work::{Count, Counter};

@@ -4,6 +4,10 @@
 //! farther away than another. So before one is painted, it is compared with those not painted yet, and what it hides
 //! is painted before it. Where three hide each other in a ring, or two cross, there is no order: [`order`] says so and
 //! names them, [`order_by_cutting`] cuts them until there is one.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/painter-steps.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/painter-cycle.svg"))]
 //!
 //! # Which pairs are compared
 //!
@@ -17,7 +21,6 @@ use ombra_math::work::Count;
 
 use crate::polygon::Polygon;
 
-mod convex;
 mod cut;
 mod cycle;
 mod extent;

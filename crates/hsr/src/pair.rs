@@ -12,10 +12,12 @@ use crate::polygon::Polygon;
 
 mod bound;
 mod eye;
+mod outline;
 mod seen;
 mod side;
 
 use eye::Eye;
+pub(crate) use outline::convex;
 pub use seen::Seen;
 pub use side::Side;
 

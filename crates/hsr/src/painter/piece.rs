@@ -10,10 +10,9 @@ use ombra_math::glam::DVec4;
 use ombra_math::plane::Plane;
 use ombra_math::work::{Count, Counter};
 
-use super::convex::convex;
 use super::cut::Scene;
 use super::extent::{Extent, View};
-use crate::pair::{Pair, Seen, compare_seen, tolerance};
+use crate::pair::{Pair, Seen, compare_seen, convex, tolerance};
 use crate::polygon::Polygon;
 
 /// A primitive, or a part of one.

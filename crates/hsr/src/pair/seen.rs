@@ -7,6 +7,7 @@ use ombra_math::predicates::orient_3d;
 
 use super::bound::Bound;
 use super::eye::Eye;
+use super::outline::convex_from;
 use super::{Depths, Side, tolerance};
 use crate::polygon::Polygon;
 
@@ -44,7 +45,7 @@ use crate::polygon::Polygon;
 #[derive(Clone, Debug)]
 pub struct Seen {
     pub(super) eye: Eye,
-    /// Counter-clockwise as seen, no vertex twice in a row.
+    /// Counter-clockwise as seen; those where the outline does not turn left are left out.
     pub(super) vertices: Vec<DVec3>,
     /// Three of them that span the plane, in that order.
     span: [DVec3; 3],
@@ -79,10 +80,7 @@ impl Seen {
             }
             Ordering::Equal => return None,
         }
-        vertices.dedup();
-        while vertices.len() > 1 && vertices.first() == vertices.last() {
-            vertices.pop();
-        }
+        let vertices = convex_from(vertices, eye, Ordering::Greater);
         let next = vertices.iter().cycle().skip(1);
         let edges = vertices.iter().zip(next).filter_map(|(&a, &b)| {
             Some(Edge {
@@ -172,6 +170,9 @@ impl Seen {
             Ordering::Less
         } else {
             let [a, b] = edge.ends;
+            if v == a || v == b {
+                return Ordering::Equal;
+            }
             self.eye.turn(a, b, v).unwrap_or(Ordering::Equal)
         }
     }
