@@ -22,8 +22,8 @@ pub struct Difference {
 ///
 /// Two methods that agree on coverage and depth agree on the picture. So where one sees A and the other B, either A or B
 /// covers the pixel for only one of them, and an edge passes close by; or they see A and B at another order of depth, and
-/// A and B cross close by. A method that cuts its primitives may leave a crack along the cut, which is an edge of what hides a
-/// part of A or B, or the line in which they cross:
+/// A and B cross close by. A method that cuts its primitives may leave a crack along the cut, which is an edge of what
+/// hides a part of A or B, or the line in which they cross:
 ///
 /// ```text
 /// distance = min(to the edges of all primitives, to the lines A ∩ C and B ∩ C for all C)        projected, in pixels
@@ -141,8 +141,8 @@ fn to_outline(outline: &[DVec2], centre: DVec2) -> f64 {
         })
 }
 
-/// The planes α and β of clip space, with z eliminated: the line (β.z α − α.z β)·(x, y, ·, w) = 0 of the picture. `None` for
-/// planes that are the same.
+/// The planes α and β of clip space, with z eliminated: the line (β.z α − α.z β)·(x, y, ·, w) = 0 of the picture.
+/// `None` for planes that are the same.
 fn to_crossing(a: DVec4, b: DVec4, centre: DVec2, size: DVec2) -> Option<f64> {
     let (a, b) = (a / a.abs().max_element(), b / b.abs().max_element());
     let line = b.z * a - a.z * b;

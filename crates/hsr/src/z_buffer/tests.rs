@@ -11,6 +11,7 @@ use super::*;
 mod drawing;
 mod exact;
 mod order;
+mod precision;
 
 fn viewport(width: u32, height: u32) -> Viewport {
     Viewport { width, height }

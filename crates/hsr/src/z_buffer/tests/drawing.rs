@@ -170,10 +170,10 @@ fn counts() {
 
 #[test]
 fn colours_of_vertices_are_interpolated_in_space() {
-    // A floor strip from distance 1 to 3, seen from above its middle: at the row where w = 2, half the way.
+    // A floor from distance 1 to 2.
     let at = |x: f64, z: f64| DVec3::new(x, -1.0, -z);
     let mesh = Mesh::new(
-        vec![at(-9.0, 1.0), at(9.0, 1.0), at(9.0, 3.0), at(-9.0, 3.0)],
+        vec![at(-9.0, 1.0), at(9.0, 1.0), at(9.0, 2.0), at(-9.0, 2.0)],
         vec![[0, 1, 2], [0, 2, 3]],
     )
     .unwrap();
@@ -193,9 +193,9 @@ fn colours_of_vertices_are_interpolated_in_space() {
         &mut depth,
     )
     .unwrap();
-    // The lower pixel's centre is at y = −3/4 w: w = 4/3, a sixth of the way. The upper one's at −1/4: w = 4, beyond.
+    // The lower pixel's centre is at y = −3/4 w: w = 4/3, a third of the way. The upper one's at −1/4: w = 4, beyond.
     assert_eq!(picture.as_raw()[0], 9.0);
-    assert!((picture.as_raw()[1] - 1.0 / 6.0).abs() <= f32::EPSILON);
+    assert!((picture.as_raw()[1] - 1.0 / 3.0).abs() <= f32::EPSILON);
 }
 
 #[test]

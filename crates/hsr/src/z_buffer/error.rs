@@ -1,0 +1,106 @@
+//! Why nothing was drawn.
+
+use core::fmt;
+
+use ombra_math::glam::DVec3;
+
+use super::MAX_SIDE;
+
+/// Why nothing was drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DrawError {
+    /// A number of the camera's matrix is NaN or infinite.
+    Matrix {
+        /// Its row, from 0.
+        row: usize,
+        /// Its column, from 0.
+        column: usize,
+        /// The number.
+        value: f64,
+    },
+    /// A position is NaN or infinite.
+    Position {
+        /// The vertex.
+        vertex: usize,
+        /// Its position.
+        position: DVec3,
+    },
+    /// A position whose clip coordinates are beyond the largest double.
+    Overflow {
+        /// The vertex.
+        vertex: usize,
+        /// Its position.
+        position: DVec3,
+    },
+    /// A triangle names a vertex that is not there.
+    Index {
+        /// The triangle.
+        triangle: usize,
+        /// The vertex it names.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// The picture or the depth buffer has another size than the camera's viewport.
+    Size {
+        /// Columns and rows of the picture or the buffer.
+        found: (u32, u32),
+        /// Columns and rows of the viewport.
+        viewport: (u32, u32),
+    },
+    /// A side of the picture is longer than [`MAX_SIDE`].
+    TooLong {
+        /// Columns and rows of the picture.
+        size: (u32, u32),
+    },
+    /// There are not as many colours as triangles or vertices.
+    Colours {
+        /// How many there are.
+        found: usize,
+        /// How many there must be.
+        expected: usize,
+    },
+}
+
+impl fmt::Display for DrawError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Matrix { row, column, value } => write!(
+                f,
+                "the camera's matrix has {value} in row {row}, column {column}; all its numbers must be finite"
+            ),
+            Self::Position { vertex, position } => write!(
+                f,
+                "vertex {vertex} is at {position}; its coordinates must be finite numbers"
+            ),
+            Self::Overflow { vertex, position } => write!(
+                f,
+                "vertex {vertex} at {position} has clip coordinates beyond the largest double"
+            ),
+            Self::Index {
+                triangle,
+                index,
+                vertices,
+            } => write!(
+                f,
+                "triangle {triangle} names vertex {index}, but there are {vertices}, numbered from 0"
+            ),
+            Self::Size { found, viewport } => write!(
+                f,
+                "the buffer has {} × {} pixels, but the camera's viewport has {} × {}",
+                found.0, found.1, viewport.0, viewport.1
+            ),
+            Self::TooLong { size } => write!(
+                f,
+                "a picture of {} × {} pixels is too large to draw: a side has at most {MAX_SIDE}",
+                size.0, size.1
+            ),
+            Self::Colours { found, expected } => write!(
+                f,
+                "there are {found} colours; there must be {expected}, one each"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for DrawError {}

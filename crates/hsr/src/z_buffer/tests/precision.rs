@@ -1,0 +1,157 @@
+//! The formula of precision against what is stored and what is drawn.
+
+use super::*;
+use crate::z_buffer::precision::{depth_at, depth_step, fighting_distance, separable_distance};
+
+/// The measured step is the formula's, to second order, where it is neither cut off by a plane nor at a power of two.
+fn step_is_found<F: DepthFormat>(near: f64, far: f64, distance: f64) {
+    let step = depth_step::<F>(near, far, distance).unwrap();
+    let found = separable_distance::<F>(near, far, distance).unwrap();
+    // z changes by a step from end to end, and Δz with its square; doubles resolve n / z to ε.
+    let slack = 2.0 * step / distance + 8.0 * f64::EPSILON * distance / step;
+    let name = F::NAME;
+    assert!(
+        (found / step - 1.0).abs() <= slack,
+        "{name} {near} {far} {distance}: {found}, {step}"
+    );
+}
+
+#[test]
+fn the_formula_is_measured() {
+    for (near, far) in [(0.1, 1000.0), (1.0, 50.0), (1e-3, 10.0)] {
+        for share in [0.013, 0.11, 0.37, 0.71, 0.93] {
+            let distance = near + share * (far - near);
+            if depth_step::<Depth16>(near, far, distance).unwrap() < 0.05 * (far - distance) {
+                step_is_found::<Depth16>(near, far, distance);
+            }
+            step_is_found::<Depth24>(near, far, distance);
+            step_is_found::<Depth32F>(near, far, distance);
+            step_is_found::<ReversedDepth32F>(near, far, distance);
+        }
+    }
+}
+
+fn fights_from_there_on<F: DepthFormat>(near: f64, far: f64, gap: f64) {
+    let name = F::NAME;
+    let value = |z: f64| {
+        let depth = depth_at(near, far, z).unwrap();
+        if F::REVERSED {
+            (near / z - near / far) / (1.0 - near / far)
+        } else {
+            depth
+        }
+    };
+    let tie = |z: f64| F::encode(value(z)) == F::encode(value(z + gap));
+    let first = fighting_distance::<F>(near, far, gap);
+    let end = first.unwrap_or(far).min(far - gap);
+    let at = |i: u32, from: f64, to: f64| from + (to - from) * f64::from(i) / 20_000.0;
+    // The step grows by 2 gap / z within the gap.
+    let safe = near + (end - near) * (1.0 - 2.0 * gap / end);
+    assert!(
+        !(0..20_000).any(|i| tie(at(i, near, safe))),
+        "{name}: before {end}"
+    );
+    if let Some(first) = first.filter(|z| z * 1.2 < far) {
+        // Steps of 1.1² gaps: a sixth of all places tie.
+        let ties = (0..20_000)
+            .filter(|&i| tie(at(i, first * 1.1, first * 1.12)))
+            .count();
+        assert!(
+            (1000..10_000).contains(&ties),
+            "{name}: {ties} after {first}"
+        );
+    }
+}
+
+#[test]
+fn surfaces_fight_from_the_predicted_distance_on() {
+    fights_from_there_on::<Depth16>(0.1, 1000.0, 0.01);
+    fights_from_there_on::<Depth24>(0.1, 1000.0, 0.01);
+    fights_from_there_on::<Depth32F>(0.1, 1000.0, 0.01);
+    fights_from_there_on::<ReversedDepth32F>(0.1, 1000.0, 0.01);
+    assert_eq!(
+        fighting_distance::<ReversedDepth32F>(0.1, 1000.0, 0.01),
+        None
+    );
+    // Too near to each other even there.
+    let first = fighting_distance::<ReversedDepth32F>(0.1, 1000.0, 2e-5).unwrap();
+    assert!((100.0..400.0).contains(&first), "{first}");
+    assert_eq!(fighting_distance::<Depth16>(1.0, 10.0, 1e-9), Some(1.0));
+}
+
+/// In a picture: a floor, and a second one a little below it, drawn first. It shows only where the two can tie.
+#[test]
+fn fighting_is_seen_in_the_picture() {
+    let (near, far, size) = (0.1, 1000.0, 64);
+    let floor = |y: f64| {
+        [(-900.0, 0.2), (900.0, 0.2), (900.0, 900.0), (-900.0, 900.0)]
+            .map(|(x, z)| DVec3::new(x, y, -z))
+    };
+    let mesh = Mesh::new(
+        [floor(-1.001), floor(-1.0)].concat(),
+        vec![[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]],
+    )
+    .unwrap();
+    let camera = Camera {
+        view_projection: frustum(-0.1, 0.1, -0.1, 0.0, near, far).unwrap(),
+        viewport: viewport(size, size),
+    };
+    let ids = [0u32, 0, 1, 1].map(|i| Luma([i]));
+    let mut picture = buffers::new(size, size, Luma([9])).unwrap();
+    let mut depth = DepthBuffer::<Depth16>::new(size, size).unwrap();
+    draw(
+        &mesh,
+        &camera,
+        Colours::PerTriangle(&ids),
+        Options::default(),
+        &mut picture,
+        &mut depth,
+    )
+    .unwrap();
+    let mut fought = 0;
+    for y in 0..size {
+        // Row y looks down by (y + ½) / size: the floors are met at 1 and 1.001 times its inverse.
+        let distance = f64::from(size) / (f64::from(y) + 0.5);
+        let wrong = (0..size)
+            .filter(|&x| picture.get_pixel(x, y).0[0] == 0)
+            .count();
+        let gap = 0.001 * distance;
+        let step = depth_step::<Depth16>(near, far, distance + gap).unwrap();
+        // Snapping may move the floors by another 2⁻⁹ of a pixel, a hundredth of the gap at the most.
+        assert!(
+            wrong == 0 || step >= 0.9 * gap,
+            "row {y}: {wrong}, {step} of {gap}"
+        );
+        fought += wrong;
+    }
+    assert!(fought > size as usize * 4, "{fought}");
+}
+
+#[test]
+fn refused() {
+    for (near, far, distance) in [
+        (0.0, 1.0, 0.5),
+        (-1.0, 1.0, 0.5),
+        (2.0, 1.0, 1.5),
+        (1.0, 1.0, 1.0),
+        (1.0, 2.0, 0.9),
+        (1.0, 2.0, 2.1),
+        (f64::NAN, 2.0, 1.0),
+        (1.0, f64::NAN, 1.0),
+        (1.0, 2.0, f64::NAN),
+        (1.0, f64::INFINITY, f64::INFINITY),
+        (f64::INFINITY, f64::INFINITY, 1.0),
+    ] {
+        assert_eq!(
+            depth_at(near, far, distance),
+            None,
+            "{near} {far} {distance}"
+        );
+        assert_eq!(depth_step::<Depth16>(near, far, distance), None);
+        assert_eq!(separable_distance::<Depth16>(near, far, distance), None);
+    }
+    for gap in [0.0, -1.0, f64::NAN] {
+        assert_eq!(fighting_distance::<Depth24>(1.0, 2.0, gap), None);
+    }
+    assert_eq!(fighting_distance::<Depth24>(1.0, 2.0, f64::INFINITY), None);
+}
