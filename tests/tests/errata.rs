@@ -6,11 +6,16 @@
 #![allow(clippy::expect_used, reason = "a test that cannot go on fails")]
 
 use ombra_clip::{Segment, Window, cohen_sutherland};
+use ombra_hsr::back_face::{is_front_facing, visible};
+use ombra_hsr::image_space::hits;
+use ombra_hsr::polygon::Polygon;
+use ombra_math::camera::SightLine;
 use ombra_math::glam::{DMat4, DVec2, DVec3, DVec4, IVec2, dvec3};
 use ombra_math::homogeneous::{point, project};
 use ombra_math::plane::Plane;
+use ombra_math::solids::slide_cube;
 use ombra_math::spherical::Spherical;
-use ombra_math::triangle::face_normal;
+use ombra_math::triangle::{face_normal, normal};
 use ombra_math::view::look_at;
 use ombra_raster::bresenham;
 use ombra_shadows::planar::{cast, ground_matrix_directional, ground_matrix_point, shadow_matrix};
@@ -304,6 +309,48 @@ fn e6_the_azimuth() {
     }
 }
 
+/// E13. Grafica 3, «Ottimizzazione: Back-face Culling»: the angle is that between the normal and the direction towards
+/// the viewer. The function gives the triangles of the cube that are kept, as seen from a place.
+fn e13(kept: impl Fn(DVec3) -> Vec<usize>) -> Verdict {
+    let eye = dvec3(30.0, 40.0, 50.0);
+    let kept = kept(eye);
+    demand(kept.len() == 6, || {
+        format!("{} of the 12 triangles are kept, not 6", kept.len())
+    })?;
+    for i in kept {
+        let corners = slide_cube().triangle(i).ok_or("no such triangle")?;
+        // The eye is beyond x = 10, y = 30 and z = 10, the far sides of the cube 0…10, 20…30, 0…10.
+        let on = |axis: usize, at: f64| corners.iter().all(|p| p[axis] == at);
+        demand(on(0, 10.0) || on(1, 30.0) || on(2, 10.0), || {
+            format!("{corners:?} is kept, a face at the back of the cube as seen from {eye}")
+        })?;
+    }
+    Ok(())
+}
+
+#[test]
+fn e13_towards_the_viewer() {
+    let by_normals = |faces: fn(DVec3, DVec3, DVec3) -> bool| {
+        move |eye: DVec3| {
+            let cube = slide_cube();
+            let is_kept = |&i: &usize| {
+                let [a, b, c] = cube.triangle(i).unwrap();
+                faces(normal(a, b, c), a, eye)
+            };
+            (0..cube.triangles.len()).filter(is_kept).collect()
+        }
+    };
+    // «Direzione di vista»: from the eye to the face, the way the viewer looks; angles under 90°.
+    let by_the_slide = by_normals(|n, face, eye| n.dot(face - eye) > 0.0);
+    let ours = by_normals(|n, face, eye| is_front_facing(n, eye - face));
+    proven(
+        e13(by_the_slide),
+        "a face at the back of the cube",
+        e13(ours),
+    );
+    assert_eq!(e13(|eye| visible(&slide_cube(), point(eye))), Ok(()));
+}
+
 /// E14. Olomouc, «Flat shading», second example: the mean of normals is that of unit normals, made unit again.
 fn e14(face: impl Fn([DVec3; 3]) -> Option<DVec3>) -> Verdict {
     let normals = [DVec3::X, dvec3(0.5, 1.0, 0.0), dvec3(0.0, 0.5, 0.0)];
@@ -541,6 +588,59 @@ fn e22_and_in_each_iteration() {
     assert_eq!(last.decision, cohen_sutherland::Decision::Reject);
 }
 
+/// E23. Grafica 3, «Approccio Image-Space»: of the intersections with the primitives' planes, the nearest that is inside
+/// its primitive and in front of the eye.
+fn e23(nearest: impl Fn(&[Polygon], SightLine) -> Option<usize>) -> Verdict {
+    let triangle = |x: f64, z: f64| Polygon {
+        vertices: vec![dvec3(x, 0.0, z), dvec3(x + 4.0, 0.0, z), dvec3(x, 4.0, z)],
+    };
+    // One beside the line, one behind the eye, and two that are met, the farther one first.
+    let scene = [
+        triangle(5.0, -1.0),
+        triangle(0.0, 0.5),
+        triangle(0.0, -7.0),
+        triangle(0.0, -3.0),
+    ];
+    let line = SightLine {
+        origin: dvec3(1.0, 1.0, 0.0),
+        direction: -DVec3::Z,
+    };
+    let seen = nearest(&scene, line).ok_or("the line meets two triangles, and none is seen")?;
+    demand(seen != 1, || {
+        "triangle 1 is seen, which lies behind the eye".into()
+    })?;
+    demand(seen != 0, || {
+        "triangle 0 is seen, of which the line meets only the plane".into()
+    })?;
+    demand(seen == 3, || {
+        format!("triangle {seen} is seen, but 3 is nearer")
+    })
+}
+
+#[test]
+fn e23_inside_and_in_front() {
+    let ours = || e23(|scene, line| hits(scene, line).first().map(|hit| hit.primitive));
+    // The intersection with the plane of each primitive; the one at the least distance from the centre of projection.
+    let by_the_slide = |in_front: bool| {
+        move |scene: &[Polygon], line: SightLine| {
+            let t = |polygon: &Polygon| {
+                let plane = polygon.plane().unwrap();
+                -plane.coefficients().dot(point(line.origin)) / plane.normal.dot(line.direction)
+            };
+            let met = (0..scene.len()).map(|i| (i, t(&scene[i])));
+            let met = met.filter(|&(_, t)| !in_front || t >= 0.0);
+            let least = met.min_by(|(_, t), (_, u)| t.abs().total_cmp(&u.abs()));
+            least.map(|(i, _)| i)
+        }
+    };
+    proven(
+        e23(by_the_slide(false)),
+        "which lies behind the eye",
+        ours(),
+    );
+    proven(e23(by_the_slide(true)), "only the plane", ours());
+}
+
 /// E30. Olomouc, «Prostorové úhly»: θ is the polar angle, from the z axis, 0 to π.
 fn e30(theta: impl Fn(DVec3) -> f64) -> Verdict {
     use std::f64::consts::{FRAC_PI_2, PI};
@@ -573,4 +673,47 @@ fn e30_the_polar_angle() {
     // tan θ = √(x² + y²)/z, as printed, loses what is below the xy plane.
     let tangent = |v: DVec3| (v.truncate().length() / v.z).atan();
     proven(e30(tangent), "the angle from the z axis", ours());
+}
+
+/// E31. Grafica 3, «Back Face Culling»: where the viewer is decides, not the sign of the normal's z. The function tells
+/// for a face with this normal at this place, in eye coordinates, whether it may be seen.
+fn e31(faces: impl Fn(DVec3, DVec3) -> bool) -> Verdict {
+    // (face, normal, n·v by hand, v = −face)
+    for (face, n, product) in [
+        (dvec3(10.0, 0.0, -5.0), dvec3(1.0, 0.0, 0.5), -7.5),
+        (dvec3(10.0, 0.0, -5.0), dvec3(-1.0, 0.0, -0.5), 7.5),
+        (dvec3(0.0, -4.0, -1.0), dvec3(0.0, -1.0, 2.0), -2.0),
+        (dvec3(0.0, 0.0, -5.0), DVec3::Z, 5.0),
+    ] {
+        demand(n.dot(-face) == product, || "n·v by hand".into())?;
+        let (seen, side) = (product > 0.0, if product > 0.0 { "front" } else { "back" });
+        demand(faces(n, face) == seen, || {
+            format!(
+                "the face at {face} with the normal {n} shows its {side} to the eye at 0, n·v = {product}, though \
+                 the normal's z is {}",
+                n.z
+            )
+        })?;
+    }
+    Ok(())
+}
+
+#[test]
+fn e31_the_sign_of_z() {
+    let ours = || e31(|n, face| is_front_facing(n, -face));
+    let words = "shows its back to the eye at 0, n·v = -7.5, though the normal's z is 0.5";
+    proven(e31(|n, _| n.z > 0.0), words, ours());
+    // After the projection the sign is that of the triangle's own normal, x to the right and y up: its signed area. The
+    // normal taken along as a plane, π M⁻¹, points to where OpenGL's z is less, so its z is negative for a front face.
+    let projection = ombra_math::view::frustum(-3.0, 3.0, -3.0, 3.0, 1.0, 10.0).unwrap();
+    let taken_along = |n: DVec3, face: DVec3| {
+        let plane = Plane::through(face, n).unwrap().coefficients();
+        (projection.inverse().transpose() * plane).z
+    };
+    proven(
+        e31(|n, face| taken_along(n, face) > 0.0),
+        "n·v = -7.5",
+        ours(),
+    );
+    assert_eq!(e31(|n, face| taken_along(n, face) < 0.0), Ok(()));
 }

@@ -295,6 +295,7 @@ proptest! {
         prop_assert_eq!(direct::clip_segment_counted(&w, s, &mut work), answer);
         prop_assert_eq!(cohen_sutherland::clip_segment(&w, s), answer);
         prop_assert_eq!(cohen_sutherland::clip_segment_counted(&w, s, &mut work), answer);
+        prop_assert_eq!(cohen_sutherland::clip_segment_in_steps(&w, s, &mut work), answer);
         prop_assert_eq!(liang_barsky::clip_segment(&w, s), answer);
         prop_assert_eq!(liang_barsky::clip_segment_counted(&w, s, &mut work), answer);
         prop_assert_eq!(cohen_sutherland::trace(&w, s).is_empty(), !s.is_finite() || w.is_empty());
@@ -347,6 +348,7 @@ proptest! {
         let outline = sutherland_hodgman::clip_polygon(&w, &polygon);
         prop_assert!(outline.iter().all(|&p| w.contains(p)), "{:?}", outline);
         prop_assert_eq!(&sutherland_hodgman::clip_polygon_counted(&w, &polygon, &mut work), &outline);
+        prop_assert_eq!(&sutherland_hodgman::clip_polygon_in_passes(&w, &polygon, &mut work), &outline);
         let parts = pieces::clip_polygon(&w, &polygon);
         prop_assert!(parts.iter().flatten().all(|&p| w.contains(p)), "{:?}", parts);
         prop_assert_eq!(&pieces::clip_polygon_counted(&w, &polygon, &mut work), &parts);
@@ -371,10 +373,16 @@ proptest! {
             .collect();
         let clipped = homogeneous::clip_polygon(&vertices);
         prop_assert!(clipped.iter().all(|v| homogeneous::contains(v.position) && v.position.w > 0.0), "{:?}", clipped);
-        let _ = homogeneous::clip_polygon_to(&vertices, &planes);
+        let mut work = Work::default();
+        let counted = homogeneous::clip_polygon_to_counted(&vertices, &planes, &mut work);
+        let bits = |polygon: &[Vertex<1>]| -> Vec<_> {
+            polygon.iter().map(|v| (v.position.to_array().map(f64::to_bits), v.attributes[0].to_bits())).collect()
+        };
+        prop_assert_eq!(bits(&counted), bits(&homogeneous::clip_polygon_to(&vertices, &planes)));
         if let [(a, _), (b, _), ..] = polygon[..] {
             let answer = homogeneous::clip_segment([a, b]);
             prop_assert!(answer.is_none_or(|s| s.iter().all(|&p| homogeneous::contains(p))), "{:?}", answer);
+            prop_assert_eq!(homogeneous::clip_segment_counted([a, b], &mut work), answer);
             for plane in ViewPlane::ALL {
                 let _ = plane.terms(a);
             }

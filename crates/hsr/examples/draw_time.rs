@@ -4,8 +4,8 @@
 //! RAYON_NUM_THREADS=1 cargo run --release -p ombra-hsr --example draw_time
 //! ```
 
+use std::error::Error;
 use std::f64::consts::PI;
-
 use std::time::Instant;
 
 use cpu_time::ProcessTime;
@@ -50,35 +50,35 @@ fn bumpy_sphere() -> Mesh {
     }
 }
 
-fn camera(side: u32) -> Camera {
-    let view = look_at(DVec3::new(0.0, 0.0, 3.0), DVec3::ZERO, DVec3::Y).expect("a view");
-    let projection = perspective(0.8, 1.0, 0.1, 100.0).expect("a projection");
+fn camera(side: u32) -> Result<Camera, Box<dyn Error>> {
+    let view = look_at(DVec3::new(0.0, 0.0, 3.0), DVec3::ZERO, DVec3::Y)?;
+    let projection = perspective(0.8, 1.0, 0.1, 100.0)?;
     let viewport = Viewport {
         width: side,
         height: side,
     };
-    Camera {
+    Ok(Camera {
         view_projection: projection * view,
         viewport,
-    }
-}
-
-/// The least and the median of each of two times in milliseconds: passed, and spent by the processor.
-fn time(runs: usize, mut f: impl FnMut()) -> [[f64; 2]; 2] {
-    let mut times = [const { Vec::new() }; 2];
-    for _ in 0..runs {
-        let (start, start_processor) = (Instant::now(), ProcessTime::now());
-        f();
-        times[0].push(start.elapsed().as_secs_f64() * 1e3);
-        times[1].push(start_processor.elapsed().as_secs_f64() * 1e3);
-    }
-    times.map(|mut times| {
-        times.sort_by(f64::total_cmp);
-        [times[0], times[times.len() / 2]]
     })
 }
 
-fn report<F: DepthFormat>(mesh: &Mesh, runs: usize) {
+/// The least and the median of each of two times in milliseconds: passed, and spent by the processor.
+fn time<E>(runs: usize, mut f: impl FnMut() -> Result<(), E>) -> Result<[[f64; 2]; 2], E> {
+    let mut times = [const { Vec::new() }; 2];
+    for _ in 0..runs {
+        let (start, start_processor) = (Instant::now(), ProcessTime::now());
+        f()?;
+        times[0].push(start.elapsed().as_secs_f64() * 1e3);
+        times[1].push(start_processor.elapsed().as_secs_f64() * 1e3);
+    }
+    Ok(times.map(|mut times| {
+        times.sort_by(f64::total_cmp);
+        [times[0], times[times.len() / 2]]
+    }))
+}
+
+fn report<F: DepthFormat>(mesh: &Mesh, runs: usize) -> Result<(), Box<dyn Error>> {
     let triangles = mesh.triangles.len() as f64;
     let line = |what: &str, times: [[f64; 2]; 2]| {
         print!("{:12} {what:21}", F::NAME);
@@ -88,12 +88,12 @@ fn report<F: DepthFormat>(mesh: &Mesh, runs: usize) {
         }
         println!();
     };
-    let mut depth: DepthBuffer<F> = DepthBuffer::new(1024, 1024).expect("a buffer");
-    let mut picture: ColourBuffer = buffers::new(1024, 1024, Rgba([0; 4])).expect("a picture");
+    let mut depth: DepthBuffer<F> = DepthBuffer::new(1024, 1024)?;
+    let mut picture: ColourBuffer = buffers::new(1024, 1024, Rgba([0; 4]))?;
     let colours: Vec<_> = (0..mesh.triangles.len())
         .map(|i| Rgba([i as u8, (i >> 8) as u8, 128, 255]))
         .collect();
-    let (view, colours) = (camera(1024), Colours::PerTriangle(&colours));
+    let (view, colours) = (camera(1024)?, Colours::PerTriangle(&colours));
     let times = time(runs, || {
         depth.clear();
         picture.fill(0);
@@ -105,26 +105,26 @@ fn report<F: DepthFormat>(mesh: &Mesh, runs: usize) {
             &mut picture,
             &mut depth,
         )
-        .expect("drawn");
-    });
+    })?;
     line("1024² colour + depth", times);
-    let mut depth: DepthBuffer<F> = DepthBuffer::new(2048, 2048).expect("a buffer");
-    let view = camera(2048);
+    let mut depth: DepthBuffer<F> = DepthBuffer::new(2048, 2048)?;
+    let view = camera(2048)?;
     let times = time(runs, || {
         depth.clear();
-        draw_depth(mesh, &view, Cull::Nothing, &mut depth).expect("drawn");
-    });
+        draw_depth(mesh, &view, Cull::Nothing, &mut depth)
+    })?;
     line("2048² depth only", times);
+    Ok(())
 }
 
-fn main() {
-    let runs = std::env::args()
+fn main() -> Result<(), Box<dyn Error>> {
+    let runs: usize = std::env::args()
         .nth(1)
         .and_then(|n| n.parse().ok())
         .unwrap_or(50);
     let mesh = bumpy_sphere();
-    report::<Depth32F>(&mesh, runs);
-    report::<ReversedDepth32F>(&mesh, runs);
-    report::<Depth24>(&mesh, runs);
-    report::<Depth16>(&mesh, runs);
+    report::<Depth32F>(&mesh, runs)?;
+    report::<ReversedDepth32F>(&mesh, runs)?;
+    report::<Depth24>(&mesh, runs)?;
+    report::<Depth16>(&mesh, runs)
 }

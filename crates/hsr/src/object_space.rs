@@ -31,7 +31,7 @@ use crate::polygon::Polygon;
 /// - In the order of the polygons; a polygon of which all is visible comes out unchanged, its parts run round as it
 ///   does.
 /// - Each sight line that meets a polygon that is seen meets exactly one part at its inside, that of the nearest; a
-///   line within rounding of an edge may meet two or none.
+///   line within rounding of an edge, or of where an edge would go on, may meet two or none.
 /// - Parts lie inside their polygon: their corners are corners of it, or are cut out of its edges and parts, each cut
 ///   rounding to a few ε of the largest coordinate.
 /// - Polygons that touch at an edge or a corner do not cut each other: that is decided exactly.

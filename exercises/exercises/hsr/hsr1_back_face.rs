@@ -1,0 +1,219 @@
+use glam::{DVec3, DVec4};
+
+/// Whether a triangle of a closed solid may be seen from the eye.
+///
+/// ```text
+/// n·v ≥ 0          n = AB × AC: the normal, out of the solid          v: from the triangle towards the viewer
+/// ```
+///
+/// `triangle` is [A, B, C], counter-clockwise as seen from outside. `eye` is homogeneous: E_w = 1 a place, E_w = 0 the
+/// direction *towards* the viewer of a parallel view, the same for every triangle. A triangle seen edge-on, n·v = 0, is
+/// kept: it covers no pixel.
+///
+/// Grafica 3, Ottimizzazione: Back-face Culling and Back Face Culling. Beware: the first slide measures the angle from
+/// the direction of view, the second from the viewer. Only one of them agrees with n·v ≥ 0.
+fn is_front_facing(triangle: [DVec3; 3], eye: DVec4) -> bool {
+    // TODO: the normal, the vector towards the viewer, one sign.
+    todo!()
+}
+
+// ---- tests: leave everything below as it is ----
+
+fn main() {}
+
+#[cfg(test)]
+mod tests {
+    use super::is_front_facing;
+    use assess::{Inputs, show};
+    use glam::{DVec3, DVec4};
+
+    /// A triangle with whole coordinates, and its normal: all that is asked of them is exact.
+    fn any_triangle(inputs: &mut Inputs) -> ([DVec3; 3], DVec3) {
+        loop {
+            let triangle = [(); 3].map(|()| inputs.whole_vector(-9, 9));
+            let [a, b, c] = triangle;
+            let normal = (b - a).cross(c - a);
+            if normal.z != 0.0 {
+                return (triangle, normal);
+            }
+        }
+    }
+
+    /// One whose plane passes through the origin, so that it does not matter where v begins.
+    fn through_the_origin(inputs: &mut Inputs) -> ([DVec3; 3], DVec3) {
+        let ([a, b, c], normal) = any_triangle(inputs);
+        ([DVec3::ZERO, b - a, c - a], normal)
+    }
+
+    fn name(triangle: [DVec3; 3], eye: DVec4) -> String {
+        let [a, b, c] = triangle.map(show);
+        format!("triangle {a} {b} {c}, eye {eye}")
+    }
+
+    #[test]
+    fn slide_cube() {
+        // The decks' cube, 0 ≤ x ≤ 10, 20 ≤ y ≤ 30, 0 ≤ z ≤ 10: each face is two triangles.
+        let (low, high) = (DVec3::new(0.0, 20.0, 0.0), DVec3::new(10.0, 30.0, 10.0));
+        let eye = DVec4::new(30.0, 40.0, 50.0, 1.0);
+        let mut kept = 0;
+        for axis in 0..3 {
+            for outer in [low, high] {
+                // The face at outer[axis], its other two axes in turn, so that u × w is the axis itself.
+                let (u, w) = ((axis + 1) % 3, (axis + 2) % 3);
+                let corner = |s: f64, t: f64| {
+                    let mut p = DVec3::ZERO;
+                    p[axis] = outer[axis];
+                    p[u] = s;
+                    p[w] = t;
+                    p
+                };
+                let [p, q, r, s] = [
+                    corner(low[u], low[w]),
+                    corner(high[u], low[w]),
+                    corner(high[u], high[w]),
+                    corner(low[u], high[w]),
+                ];
+                let is_high = outer == high;
+                let triangles = if is_high {
+                    [[p, q, r], [p, r, s]]
+                } else {
+                    [[p, r, q], [p, s, r]]
+                };
+                for triangle in triangles {
+                    let got = is_front_facing(triangle, eye);
+                    kept += usize::from(got);
+                    let side = ["x", "y", "z"][axis];
+                    assert!(
+                        got == is_high,
+                        "{}: of the cube the eye sees the faces x = 10, y = 30 and z = 10, but {side} = {} is {}",
+                        name(triangle, eye),
+                        outer[axis],
+                        if got { "kept" } else { "left out" },
+                    );
+                }
+            }
+        }
+        assert_eq!(kept, 6, "6 of the 12 triangles");
+    }
+
+    #[test]
+    fn either_side() {
+        let mut inputs = Inputs::new(41);
+        for _ in 0..200 {
+            let (triangle, normal) = through_the_origin(&mut inputs);
+            let along = f64::from(inputs.integer(1, 5)) * normal;
+            let [before, behind] =
+                [along, -along].map(|e| is_front_facing(triangle, e.extend(1.0)));
+            let what = name(triangle, along.extend(1.0));
+            assert!(
+                before != behind,
+                "{what}: the answer is the same from both sides of the triangle. The normal alone, or its z, does not \
+                 tell: in perspective it matters where the eye is (errata E31)",
+            );
+            assert!(
+                before,
+                "{what}: the eye is on the side of the normal, and from there the triangle is left out; from behind it is \
+                 kept. v points from the triangle to the viewer, not the way the viewer looks (errata E13)",
+            );
+        }
+    }
+
+    #[test]
+    fn moved_along() {
+        let mut inputs = Inputs::new(42);
+        for _ in 0..200 {
+            let (triangle, _) = through_the_origin(&mut inputs);
+            let eye = inputs.whole_vector(-30, 30);
+            let by = inputs.whole_vector(-20, 20);
+            let at_the_origin = is_front_facing(triangle, eye.extend(1.0));
+            let moved = triangle.map(|p| p + by);
+            assert!(
+                is_front_facing(moved, (eye + by).extend(1.0)) == at_the_origin,
+                "{}: eye and triangle have moved together by {}, and the answer has changed. An eye that is a place is \
+                 no direction: v runs from a point of the triangle to the eye",
+                name(moved, (eye + by).extend(1.0)),
+                show(by),
+            );
+        }
+    }
+
+    #[test]
+    fn any_eye() {
+        let mut inputs = Inputs::new(43);
+        for _ in 0..300 {
+            let (triangle, normal) = any_triangle(&mut inputs);
+            // Off the plane by construction: a point of the triangle, some way along its sides and off along the normal.
+            let [a, b, c] = triangle;
+            let [s, t] = [(); 2].map(|()| f64::from(inputs.integer(-4, 4)));
+            let off = f64::from(inputs.integer(1, 4));
+            for (off, seen) in [(off, true), (-off, false)] {
+                let eye = a + s * (b - a) + t * (c - a) + off * normal;
+                let got = is_front_facing(triangle, eye.extend(1.0));
+                assert!(
+                    got == seen,
+                    "{}: n·v is {} n·n, so the triangle is to be {}",
+                    name(triangle, eye.extend(1.0)),
+                    off,
+                    if seen { "kept" } else { "left out" },
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn parallel_view() {
+        let mut inputs = Inputs::new(44);
+        for _ in 0..200 {
+            let (triangle, normal) = any_triangle(&mut inputs);
+            let [a, b, c] = triangle;
+            let [s, t] = [(); 2].map(|()| f64::from(inputs.integer(-4, 4)));
+            for (off, seen) in [(1.0, true), (-1.0, false)] {
+                let towards = s * (b - a) + t * (c - a) + off * normal;
+                let got = is_front_facing(triangle, towards.extend(0.0));
+                assert!(
+                    got == seen,
+                    "{}: w = 0 is a parallel view: v is that direction itself, wherever the triangle is, and n·v is {} \
+                     n·n",
+                    name(triangle, towards.extend(0.0)),
+                    off,
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn edge_on() {
+        let mut inputs = Inputs::new(45);
+        for w in [1.0, 0.0].into_iter().cycle().take(200) {
+            let ([a, b, c], normal) = through_the_origin(&mut inputs);
+            let triangle = if normal.z > 0.0 { [a, b, c] } else { [a, c, b] };
+            let [s, t] = [(); 2].map(|()| f64::from(inputs.integer(-4, 4)));
+            let eye = (s * b + t * c).extend(w);
+            assert!(
+                is_front_facing(triangle, eye),
+                "{}: the eye is in the plane of the triangle, n·v = 0 exactly: the slide keeps it, cos θ ≥ 0",
+                name(triangle, eye),
+            );
+        }
+    }
+
+    #[test]
+    fn huge_and_tiny() {
+        let mut inputs = Inputs::new(46);
+        for exponent in [-300, -100, 100, 300] {
+            let scale = 2f64.powi(exponent);
+            for _ in 0..50 {
+                let (triangle, normal) = any_triangle(&mut inputs);
+                let eye = triangle[0] + normal;
+                let scaled = triangle.map(|p| scale * p);
+                for (eye, seen) in [(eye, true), (triangle[0] - normal, false)] {
+                    assert!(
+                        is_front_facing(scaled, (scale * eye).extend(1.0)) == seen,
+                        "{}: 2 to the power of {exponent} times as large, with its eye, it looks the same",
+                        name(scaled, (scale * eye).extend(1.0)),
+                    );
+                }
+            }
+        }
+    }
+}

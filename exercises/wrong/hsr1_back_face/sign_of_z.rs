@@ -1,0 +1,8 @@
+// rejected by either_side: the answer is the same from both sides
+use glam::{DVec3, DVec4};
+
+fn is_front_facing(triangle: [DVec3; 3], eye: DVec4) -> bool {
+    let [a, b, c] = triangle;
+    let normal = (b - a).cross(c - a);
+    normal.z >= 0.0
+}

@@ -1,0 +1,25 @@
+// rejected by not_by_one_distance: not one number for a whole stick
+use glam::DVec3;
+
+#[derive(Clone, Copy, Debug)]
+struct Stick {
+    a: DVec3,
+    b: DVec3,
+}
+
+fn hides(front: &Stick, back: &Stick) -> bool {
+    let (u, v) = (front.b - front.a, back.b - back.a);
+    let across = u.truncate().perp_dot(v.truncate());
+    let between = (back.a - front.a).truncate();
+    let t = between.perp_dot(v.truncate()) / across;
+    let t_back = between.perp_dot(u.truncate()) / across;
+    let on_both = across != 0.0 && (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&t_back);
+    on_both && front.a.z + t * u.z < back.a.z + t_back * v.z
+}
+
+fn order(sticks: &[Stick]) -> Result<Vec<usize>, Vec<usize>> {
+    let mut painted: Vec<usize> = (0..sticks.len()).collect();
+    let distance = |i: &usize| sticks[*i].a.z + sticks[*i].b.z;
+    painted.sort_by(|i, j| distance(j).total_cmp(&distance(i)));
+    Ok(painted)
+}

@@ -1,0 +1,40 @@
+// rejected by level_sticks: the farthest is painted first
+use glam::DVec3;
+
+#[derive(Clone, Copy, Debug)]
+struct Stick {
+    a: DVec3,
+    b: DVec3,
+}
+
+fn hides(front: &Stick, back: &Stick) -> bool {
+    let (u, v) = (front.b - front.a, back.b - back.a);
+    let across = u.truncate().perp_dot(v.truncate());
+    let between = (back.a - front.a).truncate();
+    let t = between.perp_dot(v.truncate()) / across;
+    let t_back = between.perp_dot(u.truncate()) / across;
+    let on_both = across != 0.0 && (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&t_back);
+    on_both && front.a.z + t * u.z < back.a.z + t_back * v.z
+}
+
+fn order(sticks: &[Stick]) -> Result<Vec<usize>, Vec<usize>> {
+    let mut left: Vec<usize> = (0..sticks.len()).collect();
+    let mut painted = Vec::new();
+    while !left.is_empty() {
+        let hides_none = |&i: &usize| !left.iter().any(|&j| hides(&sticks[j], &sticks[i]));
+        let Some(at) = left.iter().position(hides_none) else {
+            let mut path = vec![left[0]];
+            loop {
+                let last = path[path.len() - 1];
+                let hidden = left.iter().find(|&&j| hides(&sticks[last], &sticks[j]));
+                let next = *hidden.expect("each of those left hides another one");
+                if let Some(start) = path.iter().position(|&i| i == next) {
+                    return Err(path.split_off(start));
+                }
+                path.push(next);
+            }
+        };
+        painted.push(left.remove(at));
+    }
+    Ok(painted)
+}
