@@ -1,4 +1,4 @@
-//! The charts of a sweep: error over the knob, time over the knob, and cost against error.
+//! The charts of a sweep: error, time and counted work over the knob, and cost against error.
 
 use ombra_figures::chart::{Axis, Chart, Scale, Series};
 use ombra_figures::drawing::Drawing;
@@ -17,6 +17,7 @@ pub fn draw(report: &Report, style: &Style) -> Result<Vec<Drawing>, TradeError> 
             .map(|(i, &measure)| error_over_knob(report, sweep, measure, i == 0))
             .collect();
         charts.push(time_over_knob(report, sweep));
+        charts.push(work_over_knob(report, sweep));
         charts.push(against_cost(report, sweep));
         charts
     });
@@ -67,6 +68,29 @@ fn time_over_knob(report: &Report, sweep: &Measured) -> Chart {
         x: knob_axis(sweep),
         y: Axis::new(format!("time a {}", report.unit), "ns", Scale::Log),
         series: series.collect(),
+        pareto: None,
+    }
+}
+
+/// A curve a technique: over the knob, the first of the study's charted counters that it moves.
+fn work_over_knob(report: &Report, sweep: &Measured) -> Chart {
+    let series = sweep.techniques().into_iter().map(|technique| {
+        let Some(what) = sweep.first_moved(technique, report.charted_work) else {
+            return Series::new(technique, vec![]);
+        };
+        let counts = sweep
+            .rows_of(technique)
+            .map(|row| (row.setting, row.work.get(what) as f64));
+        let points = counts.filter(|&(_, count)| count > 0.0);
+        let name = format!("{technique}: {}", what.name());
+        Series::new(name, from_left_to_right(points.collect()))
+    });
+    Chart {
+        id: format!("trade/{}/{}-work", report.study, sweep.name),
+        title: format!("{}: counted work over {}", report.summary, sweep.knob),
+        x: knob_axis(sweep),
+        y: Axis::new("counted", "", Scale::Log),
+        series: coinciding_as_one(series.collect()),
         pareto: None,
     }
 }

@@ -52,6 +52,7 @@ pub const STUDY: Study = Study {
     summary: "A polygon against a window: Sutherland–Hodgman, separate pieces",
     unit: "vertex",
     errors: &[Measure::Largest("relative error of the area")],
+    charted_work: &[],
     sweeps,
     advice,
 };
@@ -115,7 +116,9 @@ fn question(inputs: String, k: f64, scene: &Rc<Scene>) -> Question {
                 k,
                 scene,
                 |s| s.each(|p| sutherland_hodgman::clip_polygon_in_passes(&s.window, p, &mut ())),
-                |s, work| s.each(|p| sutherland_hodgman::clip_polygon_in_passes(&s.window, p, work)),
+                |s, work| {
+                    s.each(|p| sutherland_hodgman::clip_polygon_in_passes(&s.window, p, work))
+                },
                 |s, outlines| s.verdict(outlines),
             ),
             Case::new(

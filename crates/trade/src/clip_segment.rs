@@ -50,6 +50,7 @@ pub const STUDY: Study = Study {
     errors: &[Measure::Largest(
         "distance from the exact ends / window size",
     )],
+    charted_work: &[],
     sweeps,
     advice,
 };

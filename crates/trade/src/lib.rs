@@ -18,6 +18,9 @@
 //! | [`triangle_subpixel`] | study: triangles that share edges, snapped |
 //! | [`clip_segment`] | study: a segment against a window |
 //! | [`clip_polygon`] | study: a polygon against a window |
+//! | [`visibility`] | study: the nearest primitive at each pixel |
+//! | [`depth_format`] | study: two surfaces almost on one another |
+//! | [`culling`] | study: faces turned away from the eye |
 //! | [`planar_precision`] | study: the shadow of a point on a plane |
 //!
 //! # Adding a study
@@ -52,6 +55,7 @@
 //!     summary: "n tenths, added or multiplied",
 //!     unit: "sum",
 //!     errors: &[Measure::Largest("error of the sum")],
+//!     charted_work: &[],
 //!     sweeps: |_effort| {
 //!         let question = |n: u32| {
 //!             let (inputs, knob) = (Rc::new(n), f64::from(n));
@@ -80,9 +84,12 @@ pub mod advice;
 mod charts;
 pub mod clip_polygon;
 pub mod clip_segment;
+pub mod culling;
+pub mod depth_format;
 pub mod deviation;
 pub mod error;
 pub mod exact;
+mod hidden;
 pub mod line_precision;
 pub mod pareto;
 pub mod planar_precision;
@@ -92,6 +99,7 @@ pub mod run;
 pub mod statistics;
 pub mod study;
 pub mod triangle_subpixel;
+pub mod visibility;
 
 use error::TradeError;
 use study::Study;
@@ -104,6 +112,9 @@ pub fn studies() -> &'static [Study] {
         triangle_subpixel::STUDY,
         clip_segment::STUDY,
         clip_polygon::STUDY,
+        visibility::STUDY,
+        depth_format::STUDY,
+        culling::STUDY,
         planar_precision::STUDY,
     ]
 }
@@ -148,7 +159,7 @@ mod tests {
         assert_eq!(
             error.as_deref(),
             Some(
-                "there is no study 'planar': there are line-precision, triangle-subpixel, clip-segment, clip-polygon, planar-precision"
+                "there is no study 'planar': there are line-precision, triangle-subpixel, clip-segment, clip-polygon, visibility, depth-format, culling, planar-precision"
             )
         );
     }

@@ -44,6 +44,7 @@ pub const STUDY: Study = Study {
         Measure::Largest("distance from the right pixel, in pixels"),
         Measure::Share("wrong pixels"),
     ],
+    charted_work: &[],
     sweeps,
     advice,
 };

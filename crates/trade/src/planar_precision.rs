@@ -58,6 +58,7 @@ pub const STUDY: Study = Study {
     summary: "The shadow of a point on a plane: matrix, quotient, parameter, correctly rounded",
     unit: "vertex",
     errors: &[Measure::Largest("relative error of the shadow")],
+    charted_work: &[],
     sweeps,
     advice,
 };

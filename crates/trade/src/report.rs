@@ -24,6 +24,8 @@ pub struct Report {
     pub unit: &'static str,
     /// How errors are measured; the first is what the front goes by.
     pub errors: &'static [Measure],
+    /// Which counted work has a chart.
+    pub charted_work: &'static [Counter],
     /// Its sweeps.
     pub sweeps: Vec<Measured>,
     /// One sentence from the numbers.
@@ -96,6 +98,13 @@ impl Measured {
             .iter()
             .flat_map(|q| &q.rows)
             .filter(move |row| row.technique == technique)
+    }
+
+    /// The first of `counters` that a technique moves anywhere in the sweep.
+    #[must_use]
+    pub fn first_moved(&self, technique: &str, counters: &[Counter]) -> Option<Counter> {
+        let is_moved = |&what: &Counter| self.rows_of(technique).any(|row| row.work.get(what) > 0);
+        counters.iter().copied().find(is_moved)
     }
 
     /// The median over the sweep of a technique's time over the baseline's.
@@ -205,7 +214,8 @@ impl Report {
         text
     }
 
-    /// The charts: for each sweep the error over the knob, and cost against error with the Pareto front.
+    /// The charts: for each sweep the errors, the time and perhaps the counted work over the knob, and cost against
+    /// error with the Pareto front.
     ///
     /// # Errors
     ///
@@ -306,6 +316,7 @@ mod tests {
             summary: "Made up",
             unit: "vertex",
             errors: &[Measure::Largest("error"), Measure::Share("wrong answers")],
+            charted_work: &[Counter::Fragments, Counter::Taps],
             sweeps: vec![Measured {
                 name: "sweep",
                 knob: "knob",
@@ -347,11 +358,12 @@ mod tests {
         let ids: Vec<_> = charts.iter().map(|chart| chart.id.as_str()).collect();
         assert_eq!(
             ids,
-            ["error", "share", "time", "cost"].map(|kind| format!("trade/made-up/sweep-{kind}"))
+            ["error", "share", "time", "work", "cost"]
+                .map(|kind| format!("trade/made-up/sweep-{kind}"))
         );
         let has = |chart: &Drawing, text: &str| chart.labels.iter().any(|label| label.text == text);
-        let [error, share, time, cost] = charts.as_slice() else {
-            panic!("four charts");
+        let [error, share, time, work, cost] = charts.as_slice() else {
+            panic!("five charts");
         };
         for chart in [error, cost] {
             assert!(has(chart, "plain") && has(chart, "exact") && !has(chart, "gone"));
@@ -368,6 +380,11 @@ mod tests {
         }
         assert!(has(share, "share of wrong answers (0: lowest marks)"));
         assert!(has(time, "time a vertex / ns"));
+        // Nobody makes fragments, all read three texels of a filter, and so have one curve.
+        assert!(has(
+            work,
+            "plain: filter taps, exact: filter taps, gone: filter taps"
+        ));
         assert!(has(cost, "× 9.00"));
     }
 
@@ -457,7 +474,9 @@ mod tests {
                 "sweep-share.png",
                 "sweep-share.svg",
                 "sweep-time.png",
-                "sweep-time.svg"
+                "sweep-time.svg",
+                "sweep-work.png",
+                "sweep-work.svg"
             ]
         );
         assert!(

@@ -94,6 +94,7 @@ pub fn run(
         summary: study.summary,
         unit: study.unit,
         errors: study.errors,
+        charted_work: study.charted_work,
         sweeps: measured,
         advice,
     })
@@ -322,6 +323,7 @@ mod tests {
         summary: "sums",
         unit: "sum",
         errors: &[Measure::Largest("error")],
+        charted_work: &[],
         sweeps,
         advice: |measured| format!("{} sweeps.", measured.len()),
     };

@@ -3,7 +3,7 @@
 use core::hint::black_box;
 use std::rc::Rc;
 
-use ombra_math::work::Work;
+use ombra_math::work::{Counter, Work};
 
 use crate::deviation::{Measure, Verdict};
 use crate::report::Measured;
@@ -44,6 +44,8 @@ pub struct Study {
     pub unit: &'static str,
     /// How the errors of a case become one number. The first is what the front and the advice go by; each has a chart.
     pub errors: &'static [Measure],
+    /// Which counted work has a chart: of each technique the first of these counters that it moves. None: no chart.
+    pub charted_work: &'static [Counter],
     /// Makes inputs and cases, the same every time.
     pub sweeps: fn(Effort) -> Vec<Sweep>,
     /// One sentence from the numbers.

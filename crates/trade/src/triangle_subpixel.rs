@@ -51,6 +51,7 @@ pub const STUDY: Study = Study {
     summary: "Triangles that share edges, snapped to sub-pixel bits",
     unit: "pixel",
     errors: &[Measure::Share("wrong pixels")],
+    charted_work: &[],
     sweeps,
     advice,
 };

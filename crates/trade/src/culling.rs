@@ -1,0 +1,202 @@
+//! Study: faces turned away from the eye, drawn or left out.
+//!
+//! # What is asked
+//!
+//! A closed solid before the eye; of its faces about half look away.
+//!
+//! | sweep | knob | solid |
+//! | --- | --- | --- |
+//! | `sphere` | triangles, 10² … 10⁵ | convex: no face hides another that looks towards the eye |
+//! | `torus` | triangles, 10² … 10⁵ | it hides parts of itself |
+//!
+//! # Error
+//!
+//! The share of pixels that do not show the nearest triangle, against a ray through each centre in integers. Leaving out
+//! what cannot be seen should change nothing, and what it does change is counted besides: pixels that show something
+//! else than by the same method without culling.
+//!
+//! # Techniques
+//!
+//! All on one thread.
+//!
+//! - `z-buffer` (the baseline): all faces, 24 bits.
+//! - `z-buffer, culled`: by the sign of each triangle in the picture, after its vertices are transformed.
+//! - `z-buffer, left out before`: by [`back_face::visible`](ombra_hsr::back_face::visible), and the vertices that only faces
+//!   at the back have as well. Where a face is seen nearly edge-on, moving its vertices to 2⁻⁸ of a pixel may turn it
+//!   round: left out before, it leaves a gap there, and this the z-buffer's own culling does not.
+//! - `object space`, `object space, culled`: all pairs of faces, or of those that look towards the eye. To 1000 triangles.
+
+mod advice;
+mod scene;
+
+use std::rc::Rc;
+
+use ombra_hsr::z_buffer::Cull;
+use ombra_math::mesh::Mesh;
+use ombra_math::work::Counter;
+
+use crate::culling::advice::advice;
+use crate::culling::scene::{Solid, sphere, torus};
+use crate::deviation::Measure;
+use crate::hidden::Answer;
+use crate::study::{Case, Effort, Question, Study, Sweep};
+
+/// The study.
+pub const STUDY: Study = Study {
+    id: "culling",
+    summary: "Back faces drawn, culled, left out before",
+    unit: "triangle",
+    errors: &[Measure::Share("wrong pixels")],
+    charted_work: &[Counter::Pairs, Counter::DepthTests],
+    sweeps,
+    advice,
+};
+
+/// The most triangles that are compared in pairs.
+const MOST_PAIRS: usize = 1000;
+
+fn sweeps(effort: Effort) -> Vec<Sweep> {
+    let side = effort.choose(128, 512);
+    let sweep = |name, solid: fn(u32) -> Mesh| Sweep {
+        name,
+        knob: "triangles",
+        // Twice the square of this many triangles, nearly.
+        questions: [8, 13, 22, 40, 71, 126, 223]
+            .map(|parts| question(name, solid(parts), side))
+            .into(),
+        charted: 2,
+    };
+    vec![sweep("sphere", sphere), sweep("torus", torus)]
+}
+
+fn question(name: &str, mesh: Mesh, side: u32) -> Question {
+    let triangles = mesh.triangles.len();
+    let solid = Rc::new(Solid::new(mesh, side, triangles <= MOST_PAIRS));
+    let setting = triangles as f64;
+    let judge = |s: &Solid, answer: &Answer| s.verdict(answer);
+    let case =
+        |technique, timed, counted| Case::new(technique, setting, &solid, timed, counted, judge);
+    let mut cases = vec![
+        case(
+            "z-buffer",
+            |s| s.scene.z_buffer(Cull::Nothing, &mut ()),
+            |s, work| s.scene.z_buffer(Cull::Nothing, work),
+        ),
+        case(
+            "z-buffer, culled",
+            |s| s.scene.z_buffer(Cull::Back, &mut ()),
+            |s, work| s.scene.z_buffer(Cull::Back, work),
+        ),
+        case(
+            "z-buffer, left out before",
+            |s| s.left_out_before(&mut ()),
+            |s, work| s.left_out_before(work),
+        ),
+    ];
+    if triangles <= MOST_PAIRS {
+        let judge = |s: &Solid, answer: &Answer| s.verdict_of_object_space(answer);
+        cases.push(Case::new(
+            "object space",
+            setting,
+            &solid,
+            |s| s.scene.object_space(&mut ()),
+            |s, work| s.scene.object_space(work),
+            judge,
+        ));
+        cases.push(Case::new(
+            "object space, culled",
+            setting,
+            &solid,
+            |s| s.culled_object_space(&mut ()),
+            |s, work| s.culled_object_space(work),
+            judge,
+        ));
+    }
+    Question {
+        inputs: format!("{name} of {triangles} triangles, {side}×{side} pixels"),
+        units: triangles,
+        cases,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::{Answered, Row};
+    use crate::run::run;
+
+    fn find<'a>(question: &'a Answered, technique: &str) -> Option<&'a Row> {
+        question.rows.iter().find(|row| row.technique == technique)
+    }
+
+    #[test]
+    fn culling_halves_the_work_and_changes_nothing() {
+        let report = run(&STUDY, Effort::Quick, &mut |_| ()).unwrap();
+        for question in report.sweeps.iter().flat_map(|sweep| &sweep.questions) {
+            let of = |technique| find(question, technique).unwrap();
+            let whole = of("z-buffer");
+            let (culled, before) = (of("z-buffer, culled"), of("z-buffer, left out before"));
+            let context = &question.inputs;
+            for row in &question.rows {
+                let unlike = row.faults[0].1;
+                // Faces that snapping turns are 2⁻⁸ √2 pixels high at most, along outlines of less than 800 pixels:
+                // 4.4 centres, with a spread of its root.
+                let allowed = if row.technique == before.technique {
+                    15
+                } else {
+                    0
+                };
+                assert!(unlike <= allowed, "{context} {}: {unlike}", row.technique);
+                assert_eq!(row.deviation.missing, 0, "{context} {}", row.technique);
+            }
+            // A closed surface covers each pixel as often from its front as from its back, snapped or not.
+            assert_eq!(whole.work.fragments, 2 * culled.work.fragments, "{context}");
+            assert_eq!(
+                whole.work.depth_tests,
+                2 * culled.work.depth_tests,
+                "{context}"
+            );
+            let turned = before.work.fragments.abs_diff(culled.work.fragments);
+            assert!(turned <= 15, "{context}");
+            // Culled by the picture, all vertices have been transformed before.
+            assert_eq!(whole.work.vertices, culled.work.vertices, "{context}");
+            assert!(before.work.vertices < whole.work.vertices, "{context}");
+
+            let k = question.units as u64;
+            let Some(all) = find(question, "object space") else {
+                assert!(k > MOST_PAIRS as u64);
+                continue;
+            };
+            let front = of("object space, culled");
+            assert_eq!(all.work.pairs, k * (k - 1) / 2, "{context}");
+            // Less than half of the faces, for an eye this near; less than a quarter of the pairs.
+            assert!(4 * front.work.pairs < all.work.pairs, "{context}");
+            // Object space moves no vertex, so it is right.
+            assert_eq!(
+                (all.deviation.wrong, front.deviation.wrong),
+                (0, 0),
+                "{context}"
+            );
+        }
+        let said = &report.advice;
+        let start = "Culling changes no pixel: the z-buffer makes 50 % of the depth tests, in ";
+        assert!(said.starts_with(start), "{said}");
+        assert!(
+            said.ends_with(" times the time.") && !said.contains(". "),
+            "{said}"
+        );
+        let charts = report
+            .charts(&ombra_figures::style::Style::default())
+            .unwrap();
+        assert_eq!(charts.len(), 8);
+    }
+
+    #[test]
+    fn solids_are_closed_and_before_the_eye() {
+        for mesh in [sphere(7), sphere(40), torus(7), torus(40)] {
+            assert!(mesh.is_closed());
+            let distances = mesh.positions.iter().map(|p| -p.z);
+            assert!(distances.into_iter().all(|d| (2.0..16.0).contains(&d)));
+        }
+    }
+}
