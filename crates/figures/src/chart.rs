@@ -87,6 +87,8 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// Whether a line joins them.
     pub joined: bool,
+    /// What the points are held against, such as a formula: a line without marks, in the same colour. Empty for none.
+    pub line: Vec<(f64, f64)>,
 }
 
 impl Series {
@@ -96,6 +98,7 @@ impl Series {
             name: name.into(),
             points,
             joined: true,
+            line: Vec::new(),
         }
     }
 }
@@ -139,7 +142,7 @@ impl Chart {
         let every = || {
             self.series
                 .iter()
-                .flat_map(|series| &series.points)
+                .flat_map(|series| series.points.iter().chain(&series.line))
                 .chain(front.iter().map(|(_, p)| p))
         };
         // A curve may begin on the upright axis, single points may not.
@@ -165,16 +168,13 @@ impl Chart {
                 .margin_bottom(hundredths(canvas.y - area.max.y))
                 .build_cartesian_2d(x.range(), y.range())
                 .map_err(failed)?;
-            for (i, series) in self
-                .series
-                .iter()
-                .enumerate()
-                .filter(|(_, series)| series.joined)
-            {
-                let points = series
-                    .points
-                    .iter()
-                    .map(|&(px, py)| (x.place(px), y.place(py)));
+            let lines = self.series.iter().enumerate().flat_map(|(i, series)| {
+                let joined = series.joined.then_some(&series.points);
+                let of = joined.into_iter().chain([&series.line]);
+                of.map(move |points| (i, series, points))
+            });
+            for (i, series, points) in lines.filter(|(.., points)| !points.is_empty()) {
+                let points = points.iter().map(|&(px, py)| (x.place(px), y.place(py)));
                 let colour = Color::stroke_width(&RGBColor(curve(i), 0, 0), hundredths(NORMAL));
                 chart
                     .draw_series(LineSeries::new(points, colour))
@@ -350,6 +350,32 @@ mod tests {
         // plotters places points on whole hundredths.
         assert!((first - second).abs().max_element() <= 0.021, "{points:?}");
         assert!(first.x > 0.0 && first.y < 0.0);
+    }
+
+    #[test]
+    fn a_line_runs_past_the_points_held_against_it() {
+        let mut chart = chart(vec![(2.0, 2.0)], Scale::Log);
+        let curves = |chart: &Chart| -> Vec<Path> {
+            let drawing = chart.draw(&Style::default()).unwrap();
+            let curve = |item| match item {
+                crate::drawing::Item::Shape {
+                    path,
+                    stroke: Some(pen),
+                    ..
+                } if pen.paint == Role::Curve(0).into() && pen.width == NORMAL => Some(path),
+                _ => None,
+            };
+            drawing.items.into_iter().filter_map(curve).collect()
+        };
+        chart.series[0].joined = false;
+        assert!(curves(&chart).is_empty());
+        chart.series[0].line = vec![(1.0, 1.0), (10.0, 10.0), (1000.0, 1000.0)];
+        let drawn = curves(&chart);
+        assert_eq!(drawn.len(), 1);
+        assert_eq!(drawn[0].points().count(), 3);
+        // The axes reach as far as the line.
+        let drawing = chart.draw(&Style::default()).unwrap();
+        assert!(texts(&drawing).contains(&"1000"));
     }
 
     #[test]

@@ -1,11 +1,13 @@
 //! Figures of the hidden surfaces lecture.
 
 mod back_face;
+mod depth_precision;
 mod image_space_ray;
 mod object_space_pairs;
 mod painter_cycle;
 mod painter_steps;
 mod stage;
+mod zbuffer_steps;
 
 use crate::colour::Role;
 use crate::figure::Figure;
@@ -16,6 +18,8 @@ pub(crate) const FIGURES: &[Figure] = &[
     image_space_ray::FIGURE,
     painter_steps::FIGURE,
     painter_cycle::FIGURE,
+    zbuffer_steps::FIGURE,
+    depth_precision::FIGURE,
     back_face::FIGURE,
 ];
 

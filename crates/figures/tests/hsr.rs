@@ -81,3 +81,38 @@ fn faces_turned_away_have_a_negative_product() {
     says(id, &["n·v = −21 < 0", "n·v = −39 < 0", "n·v = −26 < 0"]);
     assert_eq!((count(id, "n"), count(id, "v")), (2, 2));
 }
+
+/// Distances by hand: A is x + 1 in column x, B is 6 − x, C is 7, nothing is 8.
+#[test]
+fn the_z_buffer_holds_the_nearest_after_each_triangle() {
+    let words = words("hsr/zbuffer-steps");
+    let digit = |word: &&String| word.len() == 1 && word.starts_with(|c: char| c.is_ascii_digit());
+    // The numbers of the four steps come first.
+    let digits: Vec<&str> = words
+        .iter()
+        .filter(digit)
+        .skip(4)
+        .map(String::as_str)
+        .collect();
+    let steps: Vec<String> = digits.chunks(36).map(<[&str]>::concat).collect();
+    let expected = [
+        "888888 888888 888888 888888 888888 888888",
+        "188888 123488 123458 188888 888888 888888",
+        "188888 123421 123321 154321 888821 888888",
+        "188788 123421 123321 154321 877721 777777",
+    ];
+    assert_eq!(steps, expected.map(|rows| rows.replace(' ', "")));
+}
+
+#[test]
+fn curves_of_depth_formats_are_named_and_the_planes_stated() {
+    says(
+        "hsr/depth-precision",
+        &["16 bits", "24 bits, f32", "f32", "f32 reversed"],
+    );
+    let planes = "distance z / m (n = 0.1, f = 10000)";
+    let words = words("hsr/depth-precision");
+    let axis = words.iter().find(|word| word.starts_with("distance"));
+    let single = |text: &String| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(axis.map(single).as_deref(), Some(planes));
+}

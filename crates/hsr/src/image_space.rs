@@ -1,7 +1,8 @@
 //! Image space: a ray a pixel, the nearest hit wins.
 //!
-//! For each pixel a ray leaves the eye, is intersected with the plane of every primitive, and the nearest intersection
-//! that lies inside its primitive gives the pixel its primitive: n·m pixels and k primitives take n·m·k intersections.
+//! For each pixel a ray runs away from the eye, is intersected with the plane of every primitive, and the nearest
+//! intersection that lies inside its primitive and in front gives the pixel its primitive: n·m pixels and k primitives
+//! take n·m·k intersections.
 //! Nothing is sorted, clipped or projected, and every decision is exact: this is the reference for the other methods.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/image-space-ray.svg"))]
@@ -42,18 +43,18 @@ pub struct Hit {
 ///
 /// # Properties
 ///
-/// - Exact in every decision: inside or not (the border is inside), in front or not, nearer or not, for coordinates of 0
-///   or between 10⁻⁷⁵ and 10⁷⁵; beyond, primitives whose t rounds to the same double may come in either order.
+/// - Exact in every decision: inside or not (the border is inside), in front or not, nearer or not, for coordinates of
+///   0 or between 10⁻⁷⁵ and 10⁷⁵; beyond, primitives whose t rounds to the same double may come in either order.
 /// - At equal depth the primitive with the smaller index comes first.
-/// - The plane is that of [`Polygon::span`]. t is within 2⁻⁴⁰ of itself.
+/// - The plane is that of [`Polygon::span`]. The relative error of t is at most 2⁻⁴⁰.
 /// - A primitive along the line is not met: seen edge-on, it has no inside. Nor is one without a plane, or whose t is
 ///   beyond the largest double.
 ///
 /// # Pitfalls
 ///
-/// The nearest intersection with the *planes* of the primitives is not what is seen (errata E23): a plane goes on beside its
-/// primitive and behind the eye. Two primitives that are coplanar but for the rounding of their vertices are at different
-/// depths, and both may be seen, in patches.
+/// The nearest intersection with the *planes* of the primitives is not what is seen (errata E23): a plane goes on
+/// beside its primitive and behind the eye. Two primitives that are coplanar but for the rounding of their vertices are
+/// at different depths, and both may be seen, in patches.
 ///
 /// # Examples
 ///
@@ -127,8 +128,11 @@ pub fn hits_counted(polygons: &[Polygon], line: SightLine, work: &mut impl Count
 /// # Properties
 ///
 /// As for [`hits`], along the sight lines of the pixels' centres as [`Camera::sight_line`] rounds them; a tie goes to
-/// the polygon submitted first. A ray is only intersected with the primitives whose outline in the picture lies about
-/// its pixel; rows of pixels run in parallel with the feature `parallel`. Equal to [`cast_plain`].
+/// the polygon submitted first. They begin on the near plane, the slide's rays at the eye: of what lies in the view
+/// volume the nearest is the same.
+///
+/// A ray is only intersected with the primitives whose outline in the picture lies about its pixel; rows of pixels run
+/// in parallel with the feature `parallel`. Equal to [`cast_plain`] where rounding moves no corner by a whole pixel.
 ///
 /// # Pitfalls
 ///
@@ -214,7 +218,7 @@ pub fn cast_plain(polygons: &[Polygon], camera: &Camera) -> Result<IdBuffer, Pic
     cast_plain_counted(polygons, camera, &mut ())
 }
 
-/// [`cast_plain`], counting n·m rays and n·m·k intersections with planes.
+/// [`cast_plain`], counting n·m rays and n·m·k intersections with planes, k the primitives that have one.
 ///
 /// # Errors
 ///
@@ -378,8 +382,8 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// The pixels about a primitive's outline in the picture, one more on each side; all of them where it reaches behind the
-/// eye.
+/// The pixels about a primitive's outline in the picture, one more on each side; all of them where it reaches behind
+/// the eye.
 fn pixel_box(corners: &[DVec3], camera: &Camera) -> [UVec2; 2] {
     let last = UVec2::new(camera.viewport.width, camera.viewport.height);
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);

@@ -36,16 +36,21 @@ use crate::polygon::Polygon;
 ///   rounding to a few ε of the largest coordinate.
 /// - Polygons that touch at an edge or a corner do not cut each other: that is decided exactly.
 /// - Where two lie at the same depth (see [`compare`](crate::pair::compare)) the first in the slice is seen.
-/// - Where two interpenetrate, each is cut by the plane of the other.
+/// - Where two interpenetrate, a fourth case beside the slide's three, each is cut by the plane of the other.
 /// - An edge-on polygon has no visible part and hides nothing, nor does what is no polygon. Without an eye (0, NaN,
-///   ∞) nothing is seen. Both sides of a polygon are seen: leave out [back faces](crate::back_face) first.
+///   ∞, a place beyond the largest double) nothing is seen. Both sides of a polygon are seen: leave out
+///   [back faces](crate::back_face) first.
 ///
 /// # Pitfalls
 ///
 /// From a place all directions round the eye count, and there is no near plane: what lies behind the back of a camera
 /// is in the answer.
 ///
-/// O(k²) is the number of comparisons. The answer itself can grow as k² too: n strips over n strips leave n (n + 2) parts.
+/// O(k²) is the number of comparisons. The answer itself can grow as k² too: n strips over n strips leave n (n + 2)
+/// parts.
+///
+/// Equal depth within a [`tolerance`] is not transitive: of three sheets, each within it of the next but the last
+/// nearer than the first, each is hidden by another, and nothing is seen there.
 ///
 /// Convex parts are not the fewest or the largest ones: a window in the middle of a wall leaves four.
 ///

@@ -12,9 +12,10 @@
 //! # Which pairs are compared
 //!
 //! Every primitive has an extent: a box round its directions from the eye (in a parallel view, round its place across
-//! the view), and the range of its distance. A primitive is compared with those only whose box overlaps its own and which
-//! do not end before it begins. A tree of boxes finds them. [`order_plain`] compares every pair instead, and answers
-//! the same.
+//! the view), and the range of its distance. A primitive is compared with those only whose box overlaps its own and
+//! which do not end before it begins. A tree of boxes finds them. [`order_plain`] compares every pair instead, and
+//! answers the same, but for planes seen at so grazing an angle that their distance is within the
+//! [`tolerance`](crate::pair::tolerance) where the primitives are not even at the same distance from the eye.
 
 use ombra_math::glam::DVec4;
 use ombra_math::work::Count;
@@ -35,7 +36,7 @@ pub use cycle::Cycle;
 pub use plain::{hiding_pairs, hiding_pairs_counted, order_plain, order_plain_counted};
 use sort::DepthSort;
 
-/// The numbers of `polygons` back to front: the order to paint them in.
+/// The indices of `polygons` back to front: the order to paint them in.
 ///
 /// # Formula
 ///
@@ -45,23 +46,27 @@ use sort::DepthSort;
 ///          the farthest of that first, and each in this same way
 /// ```
 ///
-/// `eye` is a place (w ≠ 0), seen from in all directions, or the direction towards the viewer of a parallel view (w = 0).
+/// `eye` is a place (w ≠ 0), seen from in all directions, or the direction towards the viewer of a parallel view
+/// (w = 0). The slide's depth is measured along the direction of view. So is the distance of a parallel view; from a
+/// place, where directions differ, it is that from the eye.
 ///
 /// # Properties
 ///
-/// - Every number once. Of two primitives that share sight lines, the nearer one comes later.
-/// - Where the sort by distance is such an order already, it is the answer. Distances are rounded as usual.
-/// - Two at the same depth, to the [`tolerance`](crate::pair::tolerance) of a comparison: the one submitted first is seen,
-///   so it comes later.
-/// - A primitive that is not seen (edge-on, without area, not finite) hides nothing. It comes where its distance puts it,
-///   first if it has none. Without an eye (0, NaN, ∞) nothing is seen, and the order is that of submission.
-/// - Counts each pair compared, once, or twice where one of the two waits for the other; and the tests of two boxes as comparisons.
+/// - Every index once. Of two primitives that share sight lines, the nearer one comes later.
+/// - Where the sort by distance is such an order already, it is the answer. Distances are rounded to a few ε.
+/// - Two at the same depth, to the [`tolerance`](crate::pair::tolerance) of a comparison: the one submitted first is
+///   seen, so it comes later.
+/// - A primitive that is not seen (edge-on, without area, not finite) hides nothing. It comes where its distance puts
+///   it, first if it has none. Without an eye (0, NaN, ∞, a place beyond the largest double) nothing is seen, and the
+///   order is that of submission.
 ///
 /// # Pitfalls
 ///
 /// - Sorting by distance alone, of centres or of vertices: a floor is farther away than the box on it by one and
 ///   nearer by the other, and both are wrong somewhere.
 /// - What is decided exactly may surprise: rounded vertices at the pole of a sphere make slivers that do cross.
+/// - Equal depth within a tolerance is not transitive: three sheets, each within it of the next but the last nearer
+///   than the first, are a cycle.
 ///
 /// # Errors
 ///
@@ -90,7 +95,8 @@ pub fn order(polygons: &[Polygon], eye: DVec4) -> Result<Vec<usize>, Cycle> {
     order_counted(polygons, eye, &mut ())
 }
 
-/// [`order`], counting the pairs compared and the comparisons of two boxes.
+/// [`order`], counting each pair compared, once, or twice where one of the two waits for the other, and the tests of
+/// two boxes as comparisons.
 ///
 /// # Errors
 ///
@@ -103,7 +109,7 @@ pub fn order_counted(
     DepthSort::new(polygons, eye, work).order()
 }
 
-/// Pieces of `polygons` back to front, each with the number of the primitive it is of; always succeeds.
+/// Pieces of `polygons` back to front, each with the index of the polygon it is a part of; always succeeds.
 ///
 /// # Formula
 ///
@@ -119,12 +125,12 @@ pub fn order_counted(
 /// - Painted in this order, each sight line shows the nearest primitive last, except within rounding of a piece's edge.
 /// - Ends on every input. A piece is cut by the plane of a primitive once at most, so one of k primitives makes at most
 ///   1 + (k − 1) + (k − 1)(k − 2)/2 pieces, as many as k − 1 lines cut a convex polygon into.
-/// - Of equal depths, what is not seen, and without an eye: as [`order`]. What is compared to choose a cut is counted too.
+/// - Of equal depths, what is not seen, and without an eye: as [`order`].
 ///
 /// # Pitfalls
 ///
-/// Cut by the planes of others, primitives meet along edges that none of them had: in a picture such an edge belongs to
-/// whoever wins its pixels, as every edge does.
+/// Cut by the planes of others, primitives meet along edges that none of them had: in a picture such an edge belongs
+/// to whoever wins its pixels, as every edge does.
 ///
 /// # Examples
 ///
@@ -150,15 +156,15 @@ pub fn order_counted(
 ///
 /// # References
 ///
-/// In no deck; Grafica 3, «Algoritmo del Pittore (depth-sort)» stops at the question. Newell, as for [`order`]. That what is
-/// cut by all planes has an order: H. Fuchs, Z. M. Kedem, B. F. Naylor, «On visible surface generation by a priori tree
-/// structures», 1980.
+/// In no deck; Grafica 3, «Algoritmo del Pittore (depth-sort)» stops at the question, and answers it with no. Newell,
+/// as for [`order`]. That what is cut by all planes has an order: H. Fuchs, Z. M. Kedem, B. F. Naylor, «On visible
+/// surface generation by a priori tree structures», 1980.
 #[must_use]
 pub fn order_by_cutting(polygons: &[Polygon], eye: DVec4) -> Vec<(usize, Polygon)> {
     order_by_cutting_counted(polygons, eye, &mut ())
 }
 
-/// [`order_by_cutting`], counting as [`order_counted`] does.
+/// [`order_by_cutting`], counting as [`order_counted`] does; what is compared to choose a cut is counted too.
 #[must_use]
 pub fn order_by_cutting_counted(
     polygons: &[Polygon],

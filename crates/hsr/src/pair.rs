@@ -60,17 +60,21 @@ impl Pair {
 /// # Properties
 ///
 /// - Whether they are apart is decided exactly, so polygons that share edges or corners are.
-/// - Who is nearer is decided exactly as well, but depths that differ by no more than [`tolerance`] count as equal.
+/// - Who is nearer is decided exactly as well, but what is no farther than [`tolerance`] from the other's plane counts
+///   as in it: equally deep.
 /// - From a place, sight lines are rays in all directions: what lies behind a camera's back counts, and hides nothing
 ///   in front of it. In a parallel view they are whole lines.
 /// - A polygon whose plane holds the eye is an edge: not seen, and hiding nothing. It is [`Pair::Apart`] from all
-///   others; so is everything without an eye (0, NaN, ∞) and what is no polygon.
+///   others; so is everything without an eye (0, NaN, ∞, a place beyond the largest double) and what is no polygon.
 /// - Exchanging the two exchanges the answer.
 ///
 /// # Pitfalls
 ///
 /// Distance from the eye does not tell: a large floor may have its middle nearer to the eye than a box that stands on
 /// it far away and hides a part of it.
+///
+/// Equal depth within a tolerance is not transitive. Of three sheets, each within it of the next but the first not of
+/// the third, the outer two are told apart and neither is from the middle one.
 ///
 /// For many pairs make each [`Seen`] once and use [`compare_seen`].
 ///
@@ -121,7 +125,8 @@ pub fn compare_seen(p: &Seen, q: &Seen) -> Pair {
     }
 }
 
-/// The difference in depth up to which two polygons count as equally near, for the larger of their [`Seen::scale`]s.
+/// The distance from a polygon's plane up to which another one counts as equally near, for the larger of their
+/// [`Seen::scale`]s.
 ///
 /// # Formula
 ///
@@ -132,7 +137,8 @@ pub fn compare_seen(p: &Seen, q: &Seen) -> Pair {
 /// # Properties
 ///
 /// That is the rounding of coordinates: turned and moved, a wall still stands on its floor only as far as its
-/// coordinates can tell. Distances of a [`Side`] are right within half of it, vertices made by cutting to a few ε a cut.
+/// coordinates can tell. Distances of a [`Side`] are right within half of it, vertices made by cutting to a few ε a
+/// cut. It is measured across the plane: along a sight line that grazes the plane it is more.
 /// The second term counts below 10⁻²⁹² only, where doubles lose their digits.
 #[must_use]
 pub fn tolerance(scale: f64) -> f64 {

@@ -102,9 +102,9 @@ impl From<BufferError> for PictureError {
 ///
 /// # Properties
 ///
-/// Each polygon is clipped to the view volume before the division by w, and covers the pixels whose centres it holds, by
-/// the top-left rule: exactly, for the pixel coordinates its vertices are rounded to. Polygons that share an edge, or a
-/// cut, leave no gap. Numbers may repeat: the parts of one primitive.
+/// Each polygon is clipped to the view volume before the division by w, and covers the pixels whose centres it holds,
+/// by the top-left rule: exactly, for the pixel coordinates its vertices are rounded to. Polygons that share an edge,
+/// or a cut, leave no gap. Numbers may repeat: the parts of one primitive.
 ///
 /// # Pitfalls
 ///
@@ -113,8 +113,8 @@ impl From<BufferError> for PictureError {
 ///
 /// # Errors
 ///
-/// A picture that is too large, a camera without an eye, a number from [`NOTHING`] on. Polygons with fewer than three
-/// vertices or vertices that are not finite cover nothing.
+/// A picture that is too large, a camera without an eye, a number from [`NOTHING`] on, a vertex beyond the largest
+/// double in pixel coordinates. Polygons with fewer than three vertices or vertices that are not finite cover nothing.
 ///
 /// # Examples
 ///

@@ -156,7 +156,8 @@ impl Polygon {
     ///
     /// # Errors
     ///
-    /// `None` where they are on one line (decided exactly), or a coordinate is not finite.
+    /// `None` where they are on one line, or a coordinate is not finite. Of three vertices that is decided exactly;
+    /// more count as on one line as well where their width is below 10⁻¹⁶⁰ of the largest coordinate.
     ///
     /// # Examples
     ///
@@ -230,8 +231,7 @@ impl Polygon {
         sizes.fold(0.0, f64::max)
     }
 
-    /// Its area: 0 for fewer than three vertices, NaN or ∞ where a coordinate is or the area is beyond the largest
-    /// double.
+    /// Its area: 0 for fewer than three vertices, NaN or ∞ where a coordinate is.
     ///
     /// # Formula
     ///
@@ -241,13 +241,14 @@ impl Polygon {
     ///
     /// # Properties
     ///
-    /// With n vertices within 8 n ε of the square of the largest coordinate.
+    /// With n vertices within 8 n ε of the square of the largest coordinate, for one between 10⁻⁷⁵ and 10⁷⁵: beyond,
+    /// the squares under the root may come out as 0 or ∞, and so does the area.
     #[must_use]
     pub fn area(&self) -> f64 {
         self.fan().map(|(_, cross)| cross).sum::<DVec3>().length() / 2.0
     }
 
-    /// The centre of its area, or `None` without one.
+    /// The centre of its area, or `None` where [`Polygon::area`] is 0 or not finite.
     ///
     /// # Formula
     ///

@@ -1,20 +1,25 @@
 //! The z-buffer: for every pixel a depth, and triangles in any order.
 //!
 //! A fragment is written where it is nearer than what the pixel holds. [`draw`] takes an indexed mesh all the way: to
-//! clip space, clipped where near plane or range ask for it, to sub-pixels, to fragments, to the test. The formats of
-//! depth are types ([`Depth16`], [`Depth24`], [`Depth32F`], [`ReversedDepth32F`]) on one code path.
+//! clip space, clipped at the near plane, the far plane and where pixel coordinates would leave their range, to
+//! sub-pixels, to fragments, to the test. The formats of depth are types ([`Depth16`], [`Depth24`], [`Depth32F`],
+//! [`ReversedDepth32F`]) on one code path.
 //!
 //! # Which pixels, which depth
 //!
 //! Corners are snapped to 2⁻⁸ of a pixel; a pixel is a triangle's when its centre is in it, by the top-left rule and
 //! exactly, so triangles that share an edge leave no gap and share no pixel. The depth there lies between those of the
 //! corners and is within 5 roundings of a double of the true depth of the snapped triangle, relative to it: what is
-//! stored is that, rounded to the format.
+//! stored is that, rounded to the format. Snapped, a triangle seen edge-on may have an area, and a pixel or a few along
+//! its line.
 //!
 //! # Order
 //!
-//! The test is strict, so of equal stored depths the first one drawn stays. Where no stored depths tie, the picture does
-//! not depend on the order, unless colours are blended. It never depends on the number of threads or the processor.
+//! The test is strict, so of equal stored depths the first one drawn stays. Where no stored depths tie, the picture
+//! does not depend on the order, unless colours are blended. It never depends on the number of threads or the
+//! processor.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/zbuffer-steps.svg"))]
 
 mod buffer;
 mod error;

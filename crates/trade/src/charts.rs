@@ -117,9 +117,8 @@ fn against_cost(report: &Report, sweep: &Measured) -> Chart {
             .map(|(row, error)| (row.ratio, error))
             .collect();
         Series {
-            name: technique.to_owned(),
             joined: points.len() > 1,
-            points,
+            ..Series::new(technique, points)
         }
     });
     let alone = |row: &Row| {

@@ -72,7 +72,10 @@ impl Chart {
         }
         let below = DVec2::new(area.centre().x, sheet.frame().max.y);
         sheet.text(below, Align::Above, &self.x.words(), LABEL, Role::Text)?;
-        let above = DVec2::new(sheet.frame().min.x, sheet.frame().min.y + 0.5 * LABEL);
+        // Accents rise above the letters.
+        let title = Line::new(&self.y.words(), LABEL)?;
+        let half = (0.5 * (title.ascent + title.descent)).max(0.5 * LABEL);
+        let above = sheet.frame().min + DVec2::new(0.0, half);
         sheet.text(above, Align::Left, &self.y.words(), LABEL, Role::Text)?;
         Ok(())
     }

@@ -154,4 +154,124 @@ words! {
         cs: "**n** míří ven z tělesa, **v** od stěny k pozorovateli. Při **n**·**v** < 0 je stěna odvrácená a jistě není vidět.",
         hr: "**n** gleda iz tijela, **v** od stranice prema oku. Uz **n**·**v** < 0 stranica je okrenuta od oka i sigurno se ne vidi.",
     }
+
+    /// `hsr/zbuffer-steps` in lists.
+    ZBUFFER_STEPS_SUMMARY {
+        en: "Z-buffer: colour and depth of every pixel after each triangle",
+        it: "Z-buffer: colore e profondità di ogni pixel dopo ciascun triangolo",
+        cs: "Z-buffer: barva a hloubka každého pixelu po každém trojúhelníku",
+        hr: "Z-spremnik: boja i dubina svakog piksela nakon svakog trokuta",
+    }
+
+    /// `hsr/zbuffer-steps` below the figure.
+    ZBUFFER_STEPS_CAPTION {
+        en: "At first every depth is the greatest, 8. A fragment is written (marked) where it is nearer than what the pixel holds. The triangles may come in any order.",
+        it: "All'inizio ogni profondità è la massima, 8. Un frammento è scritto (evidenziato) dove è più vicino di ciò che il pixel contiene. L'ordine dei triangoli è libero.",
+        cs: "Na začátku je každá hloubka největší, 8. Fragment se zapíše (vyznačeno) tam, kde je blíže než to, co pixel obsahuje. Na pořadí trojúhelníků nezáleží.",
+        hr: "Na početku je svaka dubina najveća, 8. Fragment se upisuje (označeno) gdje je bliži od onoga što piksel sadrži. Redoslijed trokuta nije važan.",
+    }
+
+    /// `hsr/zbuffer-steps`: the upper row.
+    ZBUFFER_COLOUR {
+        en: "colour",
+        it: "colore",
+        cs: "barva",
+        hr: "boja",
+    }
+
+    /// `hsr/zbuffer-steps`: the lower row.
+    ZBUFFER_DEPTH {
+        en: "depth *z*",
+        it: "profondità *z*",
+        cs: "hloubka *z*",
+        hr: "dubina *z*",
+    }
+
+    /// `hsr/zbuffer-steps`: the first step.
+    ZBUFFER_CLEARED {
+        en: "cleared",
+        it: "all'inizio",
+        cs: "na začátku",
+        hr: "na početku",
+    }
+
+    /// `hsr/zbuffer-steps`: the second step.
+    ZBUFFER_FIRST {
+        en: "*A* is drawn",
+        it: "si disegna *A*",
+        cs: "kreslí se *A*",
+        hr: "crta se *A*",
+    }
+
+    /// `hsr/zbuffer-steps`: the third step.
+    ZBUFFER_CROSSING {
+        en: "*B* crosses *A*",
+        it: "*B* interseca *A*",
+        cs: "*B* protíná *A*",
+        hr: "*B* siječe *A*",
+    }
+
+    /// `hsr/zbuffer-steps`: the fourth step.
+    ZBUFFER_BEHIND {
+        en: "*C* lies behind",
+        it: "*C* sta dietro",
+        cs: "*C* leží vzadu",
+        hr: "*C* je iza",
+    }
+
+    /// `hsr/depth-precision` in lists.
+    DEPTH_PRECISION_SUMMARY {
+        en: "Depth step against distance: 16 bits, 24 bits, single precision, and single precision reversed",
+        it: "Passo di profondità e distanza: 16 bit, 24 bit, precisione singola, e precisione singola invertita",
+        cs: "Krok hloubky podle vzdálenosti: 16 bitů, 24 bitů, jednoduchá přesnost a jednoduchá přesnost obráceně",
+        hr: "Korak dubine prema udaljenosti: 16 bitova, 24 bita, jednostruka preciznost i obrnuta jednostruka preciznost",
+    }
+
+    /// `hsr/depth-precision` below the figure.
+    DEPTH_PRECISION_CAPTION {
+        en: "Surfaces nearer to each other than the step may get the same depth. Lines are the formula, marks are measured; reversed, 1\u{a0}−\u{a0}*d* is stored.",
+        it: "Superfici più vicine tra loro del passo possono avere la stessa profondità. Linee: formula; segni: misure; invertito, si memorizza 1\u{a0}−\u{a0}*d*.",
+        cs: "Plochy bližší k sobě než krok mohou mít stejnou hloubku. Čáry jsou vzorec, značky měření; obráceně se ukládá 1\u{a0}−\u{a0}*d*.",
+        hr: "Plohe bliže jedna drugoj od koraka mogu imati istu dubinu. Crte su formula, oznake mjerenja; obrnuto se pohranjuje 1\u{a0}−\u{a0}*d*.",
+    }
+
+    /// `hsr/depth-precision`: to the right.
+    PRECISION_DISTANCE {
+        en: "distance *z*",
+        it: "distanza *z*",
+        cs: "vzdálenost *z*",
+        hr: "udaljenost *z*",
+    }
+
+    /// `hsr/depth-precision`: upwards.
+    PRECISION_STEP {
+        en: "depth step Δ*z*",
+        it: "passo di profondità Δ*z*",
+        cs: "krok hloubky Δ*z*",
+        hr: "korak dubine Δ*z*",
+    }
+
+    /// `hsr/depth-precision`: a curve.
+    PRECISION_16 {
+        en: "16 bits",
+        it: "16 bit",
+        cs: "16 bitů",
+        hr: "16 bitova",
+    }
+
+    /// `hsr/depth-precision`: a curve, on which that of single precision lies but for its beginning.
+    PRECISION_24 {
+        en: "24 bits, f32",
+        it: "24 bit, f32",
+        cs: "24 bitů, f32",
+        hr: "24 bita, f32",
+    }
+
+    /// `hsr/depth-precision`: a curve.
+    PRECISION_REVERSED {
+        en: "f32 reversed",
+        it: "f32 invertito",
+        cs: "f32 obráceně",
+        hr: "f32 obrnuto",
+    }
 }

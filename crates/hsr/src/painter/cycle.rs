@@ -9,7 +9,7 @@ use std::collections::{HashMap, VecDeque};
 ///
 /// - Two primitives: they cross, or each hides another part of the other.
 /// - No primitive stands there twice, and none hides another of the ring than the next: the ring cannot be made
-///   shorter by leaving some out. It starts with the lowest number.
+///   shorter by leaving some out. It starts with the lowest index.
 ///
 /// # Examples
 ///
@@ -28,7 +28,7 @@ use std::collections::{HashMap, VecDeque};
 /// Grafica 3, «Algoritmo del Pittore (depth-sort)»: whether an order always exists (no).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cycle {
-    /// Their numbers, as they were submitted.
+    /// Their indices, as they were submitted.
     pub primitives: Vec<usize>,
 }
 

@@ -8,9 +8,9 @@
 //! primitive is left, whose pieces do not hide each other. That is how a tree of planes orders a scene, and it needs
 //! nothing but sides that are settled once, however vertices are rounded.
 //!
-//! So each ring settles a side: by a cut, if a plane passes through a piece, otherwise by where its vertices lie. A piece
-//! has at most k − 1 sides to settle, which bounds the number of cuts in a row. Between two of these, the path of pieces that wait
-//! grows to a ring or everything is painted.
+//! So each ring settles a side: by a cut, if a plane passes through a piece, otherwise by where its vertices lie. A
+//! piece has at most k − 1 sides to settle, which bounds the number of cuts in a row. Between two of these, the path of
+//! pieces that wait grows to a ring or everything is painted.
 
 use core::cmp::Ordering;
 use std::collections::{BinaryHeap, HashMap};
@@ -255,8 +255,8 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
         }
     }
 
-    /// Settles where the pieces of a ring that no plane cuts lie from each other's planes, and starts the path anew; says
-    /// whether any of that was news.
+    /// Settles where the pieces of a ring that no plane cuts lie from each other's planes, and starts the path anew;
+    /// says whether any of that was news.
     fn settle(&mut self, ring: &[usize]) -> bool {
         let sources = ring.iter().filter_map(|&i| self.pieces.get(i));
         let knives: Vec<_> = sources.filter_map(|p| self.scene.knife(p.source)).collect();

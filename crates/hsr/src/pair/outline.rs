@@ -1,8 +1,8 @@
 //! Outlines convex to the last bit as seen from the eye.
 //!
-//! New vertices are rounded. Two that lie next to each other, where three planes meet, make an edge of any direction at all,
-//! and the plane through it and the eye may pass through the middle of the polygon; but comparing takes such planes for its
-//! sides.
+//! New vertices are rounded. Two that lie next to each other, where three planes meet, make an edge of any direction at
+//! all, and the plane through it and the eye may pass through the middle of the polygon; but comparing takes such
+//! planes for its sides.
 
 use core::cmp::Ordering;
 
@@ -10,8 +10,8 @@ use ombra_math::glam::{DVec3, DVec4};
 
 use super::eye::Eye;
 
-/// The outline without the vertices where it does not turn as it should, or not at all; empty if none are left, or there
-/// is no eye.
+/// The outline without the vertices where it does not turn as it should, or not at all; empty if none are left, or
+/// there is no eye.
 pub(crate) fn convex(outline: Vec<DVec3>, eye: DVec4, turning: Ordering) -> Vec<DVec3> {
     Eye::new(eye).map_or_else(Vec::new, |eye| convex_from(outline, eye, turning))
 }

@@ -22,8 +22,8 @@ use crate::polygon::Polygon;
 ///
 /// # Properties
 ///
-/// A polygon is seen from both its sides. Made once for each polygon, comparing a pair takes some 20 ns where they
-/// are far apart.
+/// A polygon is seen from both its sides. Made once for each polygon, it lets pairs that are far apart be told by one
+/// comparison of two round cones.
 ///
 /// # Examples
 ///
@@ -64,7 +64,7 @@ pub(super) struct Edge {
 
 impl Seen {
     /// `polygon` as seen from `eye`, or `None` where it is not: its plane holds the eye, it is no polygon, or that is
-    /// no eye (0, NaN, ∞).
+    /// no eye (0, NaN, ∞, a place beyond the largest double).
     #[must_use]
     pub fn new(polygon: &Polygon, eye: DVec4) -> Option<Self> {
         let eye = Eye::new(eye)?;

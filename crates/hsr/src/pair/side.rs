@@ -17,7 +17,7 @@ pub struct Side {
 }
 
 impl Side {
-    /// The sides of `plane`, `None` where its normal is 0 or not finite.
+    /// `plane` made ready for measuring, `None` where its normal is 0 or a coefficient is not finite.
     #[must_use]
     pub fn of(plane: Plane) -> Option<Self> {
         let largest = plane.normal.abs().max_element();

@@ -20,10 +20,10 @@ pub struct Difference {
 ///
 /// # Formula
 ///
-/// Two methods that agree on coverage and depth agree on the picture. So where one sees A and the other B, either A or B
-/// covers the pixel for only one of them, and an edge passes close by; or they see A and B at another order of depth, and
-/// A and B cross close by. A method that cuts its primitives may leave a crack along the cut, which is an edge of what
-/// hides a part of A or B, or the line in which they cross:
+/// Two methods that agree on coverage and depth agree on the picture. So where one sees A and the other B, either A or
+/// B covers the pixel for only one of them, and an edge passes close by; or they see A and B at another order of depth,
+/// and A and B cross close by. A method that cuts its primitives may leave a crack along the cut, which is an edge of
+/// what hides a part of A or B, or the line in which they cross:
 ///
 /// ```text
 /// distance = min(to the edges of all primitives, to the lines A ∩ C and B ∩ C for all C)        projected, in pixels
@@ -31,9 +31,10 @@ pub struct Difference {
 ///
 /// # Properties
 ///
-/// Edges are those of what lies in the view volume: a cut at the near plane is one. Distances are rounded: a few ε times
-/// the size of the picture to an edge; to A ∩ C that divided by the sine of the angle between A and C in clip space.
-/// Where that angle is below 64 ε, A and C are coplanar: if they are A and B they cross everywhere, 0; otherwise nowhere.
+/// Edges are those of what lies in the view volume: a cut at the near plane is one. Distances are rounded: a few ε
+/// times the size of the picture to an edge; to A ∩ C that divided by the sine of the angle between A and C in clip
+/// space. Where that angle is below 64 ε, A and C are coplanar: if they are A and B they cross everywhere, 0; otherwise
+/// nowhere.
 ///
 /// # Errors
 ///

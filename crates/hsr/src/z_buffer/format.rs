@@ -13,13 +13,28 @@ use ombra_raster::buffers::image::Primitive;
 /// ```text
 /// depth   d = (w + z) / 2w     0 on the near plane, 1 on the far one
 /// stored  b bits:    d (2ᵇ − 1), rounded to the nearest integer, ties to even
-///         float:     d, rounded to 24 digits
-///         reversed:  1 − d = (w − z) / 2w, rounded to 24 digits; near and far change places
+///         float:     d, rounded to 24 binary digits
+///         reversed:  1 − d = (w − z) / 2w, rounded to 24 binary digits; near and far change places
 /// ```
 ///
 /// # Pitfalls
 ///
-/// 1 − d computed from a stored d gains nothing: the digits are gone.
+/// 1 − d computed from a stored d gains nothing: the digits are gone. Nor can w − z have more digits than the clip
+/// coordinates, doubles, leave it: 1 − d is wrong by a few 2⁻⁵³. Where it is below some 10⁻⁹, far away with a near
+/// plane at less than 10⁻⁹ of the far one, that is more than the format's own step.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_hsr::z_buffer::{Depth16, Depth32F, DepthFormat, ReversedDepth32F};
+///
+/// // Two depths near the far plane, a millionth of a millionth apart.
+/// let [a, b] = [1e-9, 1.001e-9];
+/// assert_eq!(Depth16::encode(1.0 - a), Depth16::encode(1.0 - b));
+/// assert_eq!(Depth32F::encode(1.0 - a), Depth32F::encode(1.0 - b));
+/// let [a, b] = [a, b].map(ReversedDepth32F::encode);
+/// assert!(ReversedDepth32F::is_nearer(b, a));
+/// ```
 ///
 /// # References
 ///
@@ -39,7 +54,8 @@ pub trait DepthFormat: Copy + Debug + Send + Sync + 'static {
     #[doc(hidden)]
     const NEVER: f64 = if Self::REVERSED { -1.0 } else { 2.0 };
 
-    /// A value 0 … 1, of depth or 1 − depth as the format wants it, as it is stored: rounded to nearest.
+    /// A value 0 … 1, of depth or 1 − depth as the format wants it, as it is stored: rounded to nearest. What lies
+    /// outside is taken to the nearer end by the formats in bits, and kept by those in floating point.
     fn encode(value: f64) -> Self::Stored;
 
     /// What a stored value stands for: a value 0 … 1, of depth or 1 − depth.

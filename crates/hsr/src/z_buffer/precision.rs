@@ -1,8 +1,10 @@
 //! How fine stored depths are: the step of each format at a distance, from the formula and measured.
 //!
 //! Of two surfaces nearer to each other than the step, the stored depths may be the same, and the one drawn first is
-//! seen whichever is nearer: z-fighting. Distances are those of a perspective view, along its axis; the far plane may be
-//! at infinity.
+//! seen whichever is nearer: z-fighting. Distances are those of a perspective view, along its axis; the far plane may
+//! be at infinity.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../../figures/depth-precision.svg"))]
 
 use super::format::DepthFormat;
 
@@ -104,6 +106,12 @@ pub fn depth_at(near: f64, far: f64, distance: f64) -> Option<f64> {
 ///
 /// Reversed, v is about n / z, and δ shrinks with it: Δz / z stays between 2⁻²⁴ and 2⁻²³ far from the far plane.
 ///
+/// # Pitfalls
+///
+/// This is the format's share. Depths come from clip coordinates, which are rounded doubles, so a v below some 10⁻⁹ has
+/// less than 24 digits: with near and far at 10⁻⁶ and 10⁶, reversed, surfaces at 10⁵ may fight when hundreds of steps
+/// apart.
+///
 /// # Errors
 ///
 /// As [`depth_at`].
@@ -135,8 +143,8 @@ pub fn depth_step<F: DepthFormat>(near: f64, far: f64, distance: f64) -> Option<
 ///
 /// # Properties
 ///
-/// Found by bisection, with the format's own rounding. Shorter at the two planes and, in floating point, where the stored value
-/// is a power of two.
+/// Found by bisection, with the format's own rounding. Shorter at the two planes and, in floating point, where the
+/// stored value is a power of two.
 ///
 /// # Errors
 ///

@@ -43,8 +43,8 @@ pub(super) type Outcode = u8;
 const PLANES: Outcode = 0b0011_1111;
 const CUT: Outcode = 0b0100_0000;
 
-/// How far beyond the picture corners may lie without being clipped, in half widths and half heights: a power of two, so
-/// that scaling by it is exact.
+/// How far beyond the picture corners may lie without being clipped, in half widths and half heights: a power of two,
+/// so that scaling by it is exact.
 #[derive(Clone, Copy, Debug)]
 struct Guard {
     x: f64,

@@ -1,0 +1,152 @@
+//! How far apart stored depths are, against distance, for four formats.
+
+use ombra_hsr::z_buffer::precision::{depth_step, separable_distance};
+use ombra_hsr::z_buffer::{Depth16, Depth24, Depth32F, DepthFormat, ReversedDepth32F};
+
+use crate::chart::{Axis, Chart, Scale, Series};
+use crate::error::FigureError;
+use crate::figure::{Figure, Takes, Words};
+use crate::labels::Key;
+use crate::number::decimal;
+use crate::sheet::Sheet;
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "hsr/depth-precision",
+    takes: Takes {
+        light: false,
+        plane: false,
+        mesh: false,
+    },
+    words: |_| Words {
+        summary: Key::DEPTH_PRECISION_SUMMARY,
+        caption: Key::DEPTH_PRECISION_CAPTION,
+    },
+    drawn: |sheet, _| draw(sheet),
+};
+
+/// Planes of the view, in metres.
+const NEAR: f64 = 0.1;
+const FAR: f64 = 10_000.0;
+/// Distances shown: from a quarter beyond the near plane, at which single precision is infinitely fine.
+const SHOWN: (f64, f64) = (0.125, 1000.0);
+/// Points of a line, less one, and how many of them to a measurement.
+const LAST: usize = 240;
+const EVERY: usize = 20;
+
+fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
+    let language = sheet.style().language;
+    // Above single precision, on which it lies but for the near end; the marks of the two alternate.
+    let series = vec![
+        series::<Depth16>(Key::PRECISION_16.text(language), 0),
+        named_at_the_near_end(series::<Depth32F>("f32", EVERY / 2)),
+        series::<Depth24>(Key::PRECISION_24.text(language), 0),
+        series::<ReversedDepth32F>(Key::PRECISION_REVERSED.text(language), 0),
+    ];
+    let planes = format!("*n* = {}, *f* = {}", decimal(NEAR), decimal(FAR));
+    let chart = Chart {
+        id: FIGURE.id.to_owned(),
+        title: Key::DEPTH_PRECISION_SUMMARY.text(language).to_owned(),
+        x: Axis::new(
+            Key::PRECISION_DISTANCE.text(language),
+            format!("m   ({planes})"),
+            Scale::Log,
+        ),
+        y: Axis::new(Key::PRECISION_STEP.text(language), "m", Scale::Log),
+        series,
+        pareto: None,
+    };
+    chart.draw_on(sheet)
+}
+
+/// The step by the formula as a line; measured as marks, the first at the point `first` of the line.
+fn series<F: DepthFormat>(name: &str, first: usize) -> Series {
+    let step = |z| Some((z, depth_step::<F>(NEAR, FAR, z)?));
+    let measured = |z| Some((z, separable_distance::<F>(NEAR, FAR, z)?));
+    let marks = distances().skip(first).step_by(EVERY);
+    Series {
+        joined: false,
+        line: distances().filter_map(step).collect(),
+        ..Series::new(name, marks.filter_map(measured).collect())
+    }
+}
+
+/// From one shown to the other in equal ratios.
+fn distances() -> impl Iterator<Item = f64> {
+    let (from, to) = SHOWN;
+    (0..=LAST).map(move |i| match i {
+        // Not a digit beyond.
+        LAST => to,
+        i => from * libm::pow(to / from, i as f64 / LAST as f64),
+    })
+}
+
+/// A name stands at the last point.
+fn named_at_the_near_end(mut series: Series) -> Series {
+    series.points.reverse();
+    series
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all() -> [Series; 4] {
+        [
+            series::<Depth16>("", 0),
+            series::<Depth24>("", 0),
+            series::<Depth32F>("", 0),
+            series::<ReversedDepth32F>("", 0),
+        ]
+    }
+
+    /// Δz = δ z² (f − n) / (f n), in metres at 1000 m: δ (10⁶ · 9999.9) / 1000 = 9 999 900 δ.
+    #[test]
+    fn curves_end_where_the_formula_does() {
+        let [b16, b24, float, reversed] = all().map(|series| *series.line.last().unwrap());
+        let whole = 9_999_900.0;
+        // A few roundings of a double.
+        let is = |found: f64, wanted: f64| (found - wanted).abs() <= 1e-14 * wanted;
+        assert!(is(b16.1, whole / 65_535.0), "{b16:?}");
+        assert!(is(b24.1, whole / 16_777_215.0), "{b24:?}");
+        // d is just below 1: 2⁻²⁴ apart.
+        assert!(is(float.1, whole / 16_777_216.0), "{float:?}");
+        // 1 − d = 9 · 10⁻⁵ lies between 2⁻¹⁴ and 2⁻¹³.
+        assert!(is(reversed.1, whole / 137_438_953_472.0), "{reversed:?}");
+        for (z, _) in [b16, b24, float, reversed] {
+            assert_eq!(z, 1000.0);
+        }
+    }
+
+    /// An interval between two borders holds about a step; in floating point the stored value beside a power of two has
+    /// half of it on one side, and the step varies by z² within it where it is wide.
+    #[test]
+    fn marks_lie_on_their_lines() {
+        for series in all() {
+            assert_eq!(series.points.len(), 13);
+            assert_eq!(series.line.len(), 241);
+            for (mark, line) in series.points.iter().zip(series.line.iter().step_by(20)) {
+                assert!((mark.0 - line.0).abs() <= 1e-12 * line.0);
+                let ratio = mark.1 / line.1;
+                assert!((0.7..1.4).contains(&ratio), "{mark:?} {line:?}");
+            }
+        }
+    }
+
+    /// What the figure is drawn for.
+    #[test]
+    fn only_reversed_keeps_its_digits_far_away() {
+        let [b16, b24, float, reversed] = all();
+        for (a, b) in b16.line.iter().zip(&b24.line) {
+            assert!(a.1 > 200.0 * b.1);
+        }
+        // Past twice the near plane d > ½, so single precision is as coarse as 24 bits.
+        for (a, b) in b24.line.iter().zip(&float.line).filter(|(a, _)| a.0 > 0.21) {
+            assert!((a.1 / b.1 - 1.0).abs() < 1e-6, "{a:?} {b:?}");
+        }
+        assert!(b24.line[0].1 > 3.0 * float.line[0].1);
+        for (z, step) in reversed.line {
+            let relative = step / z * 16_777_216.0;
+            assert!((0.8..2.2).contains(&relative), "{z} {relative}");
+        }
+    }
+}
