@@ -241,14 +241,14 @@ impl Polygon {
     ///
     /// # Properties
     ///
-    /// With n vertices within 8 n ε of the square of the largest coordinate, for one between 10⁻⁷⁵ and 10⁷⁵: beyond,
-    /// the squares under the root may come out as 0 or ∞, and so does the area.
+    /// With n vertices within 8 n ε of the square of the largest coordinate; 0 or ∞ where no double holds it.
     #[must_use]
     pub fn area(&self) -> f64 {
-        self.fan().map(|(_, cross)| cross).sum::<DVec3>().length() / 2.0
+        let twice: DVec3 = self.fan().map(|(_, cross)| cross).sum();
+        libm::scalbn(twice.length() / 2.0, 2 * self.exponent())
     }
 
-    /// The centre of its area, or `None` where [`Polygon::area`] is 0 or not finite.
+    /// The centre of its area, or `None` where it has none, or a coordinate is not finite.
     ///
     /// # Formula
     ///
@@ -274,14 +274,31 @@ impl Polygon {
             let weight = cross.dot(direction);
             (m + weight * sum / 3.0, a + weight)
         });
-        Some(first + moment / area).filter(|g| g.is_finite())
+        let from_first = moment / area;
+        let scaled = |x: f64| libm::scalbn(x, self.exponent());
+        let from_first = DVec3::from_array(from_first.to_array().map(scaled));
+        Some(first + from_first).filter(|g| g.is_finite())
     }
 
-    /// For each triangle V₀ Vᵢ Vᵢ₊₁, seen from V₀: the sum and the cross product of its other two vertices.
+    /// That of the power of two that brings its largest coordinate to 1 … 2, so that products stay in range.
+    fn exponent(&self) -> i32 {
+        let scale = self.scale();
+        if scale > 0.0 && scale.is_finite() {
+            libm::ilogb(scale)
+        } else {
+            0
+        }
+    }
+
+    /// For each triangle V₀ Vᵢ Vᵢ₊₁, seen from V₀: the sum and the cross product of its other two vertices, scaled by
+    /// [`Self::exponent`].
     fn fan(&self) -> impl Iterator<Item = (DVec3, DVec3)> {
-        let first = self.vertices.first().copied().unwrap_or_default();
+        let exponent = self.exponent();
+        let scaled =
+            move |v: DVec3| DVec3::from_array(v.to_array().map(|x| libm::scalbn(x, -exponent)));
+        let first = self.vertices.first().copied().map_or(DVec3::ZERO, scaled);
         self.vertices.windows(2).filter_map(move |pair| {
-            let [a, b] = pair.first_chunk()?.map(|v: DVec3| v - first);
+            let [a, b] = pair.first_chunk()?.map(|v: DVec3| scaled(v) - first);
             Some((a + b, a.cross(b)))
         })
     }

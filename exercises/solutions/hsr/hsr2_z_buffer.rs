@@ -2,7 +2,7 @@ use glam::DVec3;
 
 /// A triangle after projection and scan-conversion.
 struct Triangle {
-    /// A, B, C: x and y in pixels, z the distance from the viewer.
+    /// A, B, C: x and y in pixels, z the depth: the distance from the viewer in a parallel view.
     vertices: [DVec3; 3],
     colour: char,
     /// The pixels (i, j) that it covers, all inside the picture.

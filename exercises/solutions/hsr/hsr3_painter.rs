@@ -28,7 +28,7 @@ fn hides(front: &Stick, back: &Stick) -> bool {
 ///
 /// - `Ok`: the index of every stick once, back to front: whatever hides a stick comes after it.
 /// - `Err`: a cycle: some of the sticks, each of which hides the next, and the last hides the first. Whichever of them is
-///   painted first will cover what it hides, though it should be covered itself.
+///   painted first will be covered by the one that it should hide.
 ///
 /// The slide sorts by the distance from the viewer. One number a stick is not enough: a long one may be nearer than another as
 /// a whole and yet pass behind it.

@@ -178,6 +178,35 @@ fn a_plane_goes_on_beside_its_primitive_and_behind_the_eye() {
     assert_eq!(picture(3.0, 5.0), 2);
 }
 
+/// A last place before or behind the planes of near and far, turned either way: what rounded distances do not tell.
+#[test]
+fn near_and_far_to_the_last_place() {
+    // z_clip = −2 z − 3, w = −z: w + z_clip ≥ 0 up to z = −1, w − z_clip ≥ 0 from z = −3 on, without rounding.
+    let camera = Camera {
+        view_projection: frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 3.0).unwrap(),
+        viewport: Viewport {
+            width: 3,
+            height: 3,
+        },
+    };
+    for (z, seen) in [
+        ((-1.0f64).next_up(), NOTHING),
+        (-1.0, 0),
+        ((-1.0f64).next_down(), 0),
+        ((-3.0f64).next_up(), 0),
+        (-3.0, 0),
+        ((-3.0f64).next_down(), NOTHING),
+    ] {
+        let wall = polygon(&[(-9.0, -9.0, z), (9.0, -9.0, z), (0.0, 9.0, z)]);
+        let mut turned = wall.clone();
+        turned.vertices.reverse();
+        for wall in [wall, turned] {
+            let picture = cast_plain(&[wall], &camera).unwrap();
+            assert!(picture.pixels().all(|p| p.0 == [seen]), "{z}");
+        }
+    }
+}
+
 #[test]
 fn ties_go_to_the_first_submitted() {
     // Two pieces of one wall, their vertices far from alike, in either order; and the edge that two walls share.

@@ -5,6 +5,7 @@
 //! planes for its sides.
 
 use core::cmp::Ordering;
+use std::collections::VecDeque;
 
 use ombra_math::glam::{DVec3, DVec4};
 
@@ -17,15 +18,32 @@ pub(crate) fn convex(outline: Vec<DVec3>, eye: DVec4, turning: Ordering) -> Vec<
 }
 
 /// [`convex`], from an eye that is one.
-pub(super) fn convex_from(mut outline: Vec<DVec3>, eye: Eye, turning: Ordering) -> Vec<DVec3> {
-    let is_wrong = |outline: &[DVec3], i: usize| {
-        let n = outline.len();
-        let at = |i: usize| outline.get(i % n).copied();
-        let corner = at(i + n - 1).zip(at(i)).zip(at(i + 1));
-        corner.is_some_and(|((a, b), c)| eye.turn(a, b, c) != Some(turning))
-    };
-    while let Some(wrong) = (0..outline.len()).find(|&i| is_wrong(&outline, i)) {
-        outline.remove(wrong);
+pub(super) fn convex_from(outline: Vec<DVec3>, eye: Eye, turning: Ordering) -> Vec<DVec3> {
+    let is_wrong = |[a, b, c]: [DVec3; 3]| eye.turn(a, b, c) != Some(turning);
+    // Along the outline, going back over what a new vertex shows to be wrong.
+    let mut kept: VecDeque<DVec3> = VecDeque::with_capacity(outline.len());
+    for c in outline {
+        while let Some([a, b]) = last_two(&kept)
+            && is_wrong([a, b, c])
+        {
+            kept.pop_back();
+        }
+        kept.push_back(c);
     }
-    outline
+    // Where it closes, from both ends.
+    while let (Some([a, b]), Some(&c), Some(&d)) = (last_two(&kept), kept.front(), kept.get(1)) {
+        if is_wrong([a, b, c]) {
+            kept.pop_back();
+        } else if is_wrong([b, c, d]) {
+            kept.pop_front();
+        } else {
+            break;
+        }
+    }
+    kept.into()
+}
+
+fn last_two(kept: &VecDeque<DVec3>) -> Option<[DVec3; 2]> {
+    let (a, b) = (kept.len().checked_sub(2)?, kept.len().checked_sub(1)?);
+    Some([*kept.get(a)?, *kept.get(b)?])
 }

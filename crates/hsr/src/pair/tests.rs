@@ -190,6 +190,39 @@ fn crossing_and_only_nearly() {
     assert_eq!(both_ways(&bar, &cross(2.0), DVec4::Z), Pair::SecondNearer);
     assert_eq!(both_ways(&bar, &cross(1.5), DVec4::Z), Pair::Crossing);
     assert_eq!(both_ways(&bar, &cross(-2.5), DVec4::Z), Pair::FirstNearer);
+    // Lower by less than the tolerance, 64 ε · 7 = 10⁻¹³, where two edges cross; by more.
+    let touching = cross(2.0 - 1e-14);
+    assert_eq!(both_ways(&bar, &touching, DVec4::Z), Pair::SecondNearer);
+    let sunk = cross(2.0 - 1e-12);
+    assert_eq!(both_ways(&bar, &sunk, DVec4::Z), Pair::Crossing);
+}
+
+/// Two corners a rounding apart, the second back along the diagonal: the plane through the eye and the edge between them
+/// is the diagonal's, with half of the square behind it.
+#[test]
+fn an_edge_of_rounding_is_no_side() {
+    let back = 2.0f64.next_down();
+    let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [back, back], [0.0, 2.0]];
+    for (eye, lift) in [
+        (DVec4::Z, 1.0),
+        (place(1.0, 1.0, 1e3), 1.0),
+        (-DVec4::Z, -1.0),
+    ] {
+        let rounded = polygon(corners.map(|[x, y]| [x, y, 0.0]));
+        assert!(Polygon::new(rounded.vertices.clone()).is_ok());
+        // Over each half, and over both.
+        for over in [
+            [[0.25, 0.75], [1.0, 1.75], [0.25, 1.75]],
+            [[0.75, 0.25], [1.75, 0.25], [1.75, 1.0]],
+            [[0.5, 0.5], [1.5, 0.5], [1.0, 1.5]],
+        ] {
+            let over = polygon(over.map(|[x, y]| [x, y, lift]));
+            assert_eq!(both_ways(&rounded, &over, eye), Pair::SecondNearer, "{eye}");
+        }
+        // Beside it is beside it.
+        let beside = polygon([[2.25, 0.5, lift], [3.0, 0.5, lift], [2.25, 3.0, lift]]);
+        assert_eq!(both_ways(&rounded, &beside, eye), Pair::Apart, "{eye}");
+    }
 }
 
 #[test]

@@ -140,6 +140,30 @@ fn repeated_vertices_and_straight_corners() {
     }
 }
 
+/// A right triangle with sides of 2ᵉ has half their square, whatever e: products of coordinates leave the range first.
+#[test]
+fn area_and_centre_at_every_exponent() {
+    for exponent in [-1070, -500, -272, 0, 266, 500, 1020] {
+        let side = libm::scalbn(1.0, exponent);
+        let corners = [DVec3::ZERO, side * DVec3::X, side * DVec3::Y];
+        let triangle = Polygon::new(corners.to_vec()).unwrap();
+        assert_eq!(
+            triangle.area(),
+            libm::scalbn(0.5, 2 * exponent),
+            "2^{exponent}"
+        );
+        let centre = triangle.centroid().unwrap();
+        // A third, rounded twice; at the end of the range, to a multiple of the smallest double.
+        let off = (centre - side / 3.0 * (DVec3::X + DVec3::Y))
+            .abs()
+            .max_element();
+        assert!(
+            off <= 2.0 * f64::EPSILON * side + f64::from_bits(1),
+            "2^{exponent}: {centre}"
+        );
+    }
+}
+
 #[test]
 fn every_size() {
     for e in [-1070, -700, -30, 0, 30, 700, 1021] {

@@ -221,11 +221,14 @@ pub fn fighting_distance<F: DepthFormat>(near: f64, far: f64, gap: f64) -> Optio
     if F::REVERSED {
         bands.reverse();
     }
-    bands.into_iter().find_map(|[low, high]| {
-        let ends = [low, high].map(|value| planes.distance::<F>(value));
-        let [first, last] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        // Δz = gap, divided by what would overflow last.
-        let distance = (gap / F::spacing(low)).sqrt() * (near / (1.0 - planes.ratio)).sqrt();
-        (distance <= last && first < far).then_some(distance.max(first).max(near))
-    })
+    bands
+        .into_iter()
+        .find_map(|[low, high]| {
+            let ends = [low, high].map(|value| planes.distance::<F>(value));
+            let [first, last] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            // Δz = gap, divided by what would overflow last.
+            let distance = (gap / F::spacing(low)).sqrt() * (near / (1.0 - planes.ratio)).sqrt();
+            (distance <= last && first < far).then_some(distance.max(first).max(near))
+        })
+        .filter(|&distance| distance <= far)
 }

@@ -190,7 +190,10 @@ impl<'a> Scene<'a> {
 
     fn transform<F: DepthFormat>(&mut self) -> Result<(), DrawError> {
         let (matrix, screen) = (self.matrix, self.screen);
-        let part = |positions: &[DVec3], corners: &mut [Corner], codes: &mut [Outcode]| dispatch!(Level::new(), _ => screen.transform::<F>(matrix, positions, corners, codes));
+        let part = |positions: &[DVec3], corners: &mut [Corner], codes: &mut [Outcode]| {
+            let level = Level::new();
+            dispatch!(level, _ => screen.transform::<F>(matrix, positions, corners, codes))
+        };
         let all_finite = transform_all(self.positions, &mut self.corners, &mut self.codes, part);
         if all_finite {
             return Ok(());

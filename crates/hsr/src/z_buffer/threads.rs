@@ -52,7 +52,7 @@ pub(super) fn draw<F: DepthFormat, I: Paint>(
         .par_chunks(CHUNK)
         .enumerate()
         .map(|(chunk, triangles)| {
-            let mut bins = vec![Vec::with_capacity(expected); bands.len()];
+            let mut bins: Vec<_> = bands.iter().map(|_| Vec::with_capacity(expected)).collect();
             for (i, triangle) in (chunk * CHUNK..).zip(triangles) {
                 let reach = scene.rows(triangle, height);
                 let (first, end) = (

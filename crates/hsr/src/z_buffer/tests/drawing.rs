@@ -8,7 +8,8 @@ use proptest::num::f64::ANY;
 use super::*;
 
 /// Depth and shares of the corners at a place of the picture, straight from clip coordinates: no clipping, no snapping.
-fn cast(camera: &Camera, triangle: [DVec3; 3], pixel: DVec2) -> Option<(f64, DVec3)> {
+/// An error where the triangle is not seen: which of its three sides, of near and far plane the place is beyond.
+fn cast(camera: &Camera, triangle: [DVec3; 3], pixel: DVec2) -> Result<(f64, DVec3), [bool; 5]> {
     let p = triangle.map(|v| camera.to_clip(v));
     let size = DVec2::new(
         f64::from(camera.viewport.width),
@@ -18,10 +19,13 @@ fn cast(camera: &Camera, triangle: [DVec3; 3], pixel: DVec2) -> Option<(f64, DVe
     // The shares s with Σ sᵢ (xᵢ, yᵢ, wᵢ) = w (x, y, 1).
     let matrix = DMat3::from_cols_array_2d(&p.map(|p| [p.x, p.y, p.w]));
     let shares = matrix.inverse() * ndc.extend(1.0);
-    let shares = shares / shares.element_sum();
-    let point = p[0] * shares.x + p[1] * shares.y + p[2] * shares.z;
-    let seen = shares.min_element() >= 0.0 && point.w > 0.0 && point.z.abs() <= point.w;
-    seen.then_some((0.5 + 0.5 * point.z / point.w, shares))
+    // With w = 1.
+    let z = shares.dot(DVec3::from(p.map(|p| p.z)));
+    let [a, b, c] = shares.to_array().map(|share| share < 0.0);
+    match [a, b, c, z < -1.0, z > 1.0] {
+        [false, false, false, false, false] => Ok((0.5 + 0.5 * z, shares / shares.element_sum())),
+        beyond => Err(beyond),
+    }
 }
 
 fn triangles() -> impl Strategy<Value = [DVec3; 3]> {
@@ -46,9 +50,10 @@ proptest! {
             let around = [(0.0, 0.0), (0.01, 0.01), (-0.01, 0.01), (0.01, -0.01), (-0.01, -0.01)]
                 .map(|offset| cast(&camera, triangle, centre + DVec2::from(offset)));
             let found = f64::from(depth.stored(x, y).unwrap());
-            if around.iter().all(Option::is_none) {
+            // All beyond one line of the picture, so that nothing of a thin triangle comes between them.
+            if (0..5).any(|line| around.iter().all(|at| at.is_err_and(|beyond| beyond[line]))) {
                 prop_assert_eq!(found, 1.0, "{} {}", x, y);
-            } else if let [Some(at), Some(a), Some(b), Some(c), Some(d)] = around {
+            } else if let [Ok(at), Ok(a), Ok(b), Ok(c), Ok(d)] = around {
                 let near_far = [a.0, b.0, c.0, d.0];
                 let least = near_far.into_iter().fold(at.0, f64::min);
                 let greatest = near_far.into_iter().fold(at.0, f64::max);
@@ -168,6 +173,81 @@ fn counts() {
     assert_eq!(count(&[]).to_string(), "4 vertices");
 }
 
+/// What lies beyond near and far is no fragment; what is cut gets new vertices; every form counts alike.
+#[test]
+fn what_is_cut_is_counted() {
+    // z = 2 x: in range for x from −½ to ½, the middle two of four columns.
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+        .map(|(x, y)| DVec3::new(x, y, 2.0 * x));
+    let camera = Camera {
+        view_projection: DMat4::IDENTITY,
+        viewport: viewport(4, 4),
+    };
+    // Two cuts cross two sides each: four new corners. Of the columns' eight centres two lie on the diagonal, a left side.
+    for (triangles, expected) in [
+        (&[[0, 1, 2]][..], "5 fragments, 5 depth tests, 7 vertices"),
+        (
+            &[[0, 1, 2], [0, 2, 3]],
+            "8 fragments, 8 depth tests, 12 vertices",
+        ),
+    ] {
+        let mesh = Mesh {
+            positions: corners[..triangles.len() + 2].to_vec(),
+            triangles: triangles.to_vec(),
+        };
+        for form in [Form::Plain, Form::Fast] {
+            let mut depth = DepthBuffer::<Depth32F>::new(4, 4).unwrap();
+            let mut work = Work::default();
+            depth_drawn(&mesh, &camera, Cull::Nothing, &mut depth, form, &mut work).unwrap();
+            assert_eq!(work.to_string(), expected, "{form:?}");
+        }
+    }
+}
+
+/// Corners farther away than the guard band are cut off, in each direction at its own distance; those on it are not.
+#[test]
+fn corners_stay_within_the_guard_band() {
+    // 2¹⁶ pixels are 2¹³ half widths of 8 pixels, and 2⁸ half heights of 256.
+    let camera = Camera {
+        view_projection: DMat4::IDENTITY,
+        viewport: viewport(16, 512),
+    };
+    let limit = 1 << 24;
+    for (far, cut) in [
+        (DVec2::new(8192.0, 0.0), false),
+        (DVec2::new(0.0, 256.0), false),
+        (DVec2::new(-8192.0, -256.0), false),
+        (DVec2::new(8193.0, 0.0), true),
+        (DVec2::new(0.0, -257.0), true),
+        (DVec2::new(9e4, 0.0), true),
+        (DVec2::new(0.0, 9e4), true),
+        (DVec2::new(-1e12, 1e12), true),
+    ] {
+        let corner = far.extend(0.0);
+        let positions = vec![
+            DVec3::new(-0.5, 0.5, 0.0),
+            DVec3::new(0.5, 0.25, 0.0),
+            corner,
+        ];
+        let mesh = Mesh::new(positions, vec![[0, 1, 2]]).unwrap();
+        let scene = Scene::new::<Depth24>(&mesh, &camera, &mut ()).unwrap();
+        let mut pieces = screen::Pieces::default();
+        let mut work = Work::default();
+        let found: Vec<_> = scene
+            .pieces::<Depth24>(0, &mut pieces, &mut work)
+            .iter()
+            .collect();
+        assert_eq!(work.vertices > 0, cut, "{far}");
+        for corner in found.iter().flat_map(|(corners, _)| corners) {
+            let from_the_middle = [corner.x - 8 * 256, corner.y - 256 * 256];
+            assert!(
+                from_the_middle.iter().all(|c| c.abs() <= limit),
+                "{far}: {corner:?}"
+            );
+        }
+    }
+}
+
 #[test]
 fn colours_of_vertices_are_interpolated_in_space() {
     // A floor from distance 1 to 2.
@@ -281,6 +361,29 @@ fn refused() {
             "a picture of 32769 × 1 pixels is too large to draw: a side has at most 32768",
         ),
     ];
+    let tall = Camera {
+        viewport: viewport(1, MAX_SIDE + 1),
+        ..camera
+    };
+    let mut depth = DepthBuffer::<Depth16>::new(1, MAX_SIDE + 1).unwrap();
+    let result = draw_depth(&good, &tall, Cull::Nothing, &mut depth);
+    assert_eq!(
+        result.unwrap_err().to_string(),
+        "a picture of 1 × 32769 pixels is too large to draw: a side has at most 32768"
+    );
+    // The depth buffer's size is asked as well as the picture's.
+    let other = Err(DrawError::Size {
+        found: (2, 3),
+        viewport: (3, 2),
+    });
+    let mut picture = buffers::new(3, 2, Luma([7u8])).unwrap();
+    let mut depth = DepthBuffer::<Depth16>::new(2, 3).unwrap();
+    let options = Options::default();
+    assert_eq!(
+        draw(&good, &camera, one, options, &mut picture, &mut depth),
+        other
+    );
+    assert_eq!(draw_depth(&good, &camera, Cull::Nothing, &mut depth), other);
     for (result, expected) in cases {
         assert_eq!(
             result.map_or_else(|e| e.to_string(), |()| "drawn".to_owned()),

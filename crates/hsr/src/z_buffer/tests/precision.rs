@@ -154,4 +154,6 @@ fn refused() {
         assert_eq!(fighting_distance::<Depth24>(1.0, 2.0, gap), None);
     }
     assert_eq!(fighting_distance::<Depth24>(1.0, 2.0, f64::INFINITY), None);
+    // Beyond the far plane, which rounding of 1 − near / far does not bring nearer.
+    assert_eq!(fighting_distance::<Depth16>(1e-3, 1e14, 1e30), None);
 }
