@@ -332,4 +332,38 @@ mod tests {
         assert!(!sort.settle(&[0, 1]));
         assert_eq!(sort.order(), Ok(vec![0, 1, 2]));
     }
+
+    /// Nor is what the path began with, which nothing hides: it goes back into the sort.
+    #[test]
+    fn settling_loses_no_beginning() {
+        let triangle = |x: f64| Polygon {
+            vertices: [[x, 0.0], [x + 1.0, 0.0], [x, 1.0]]
+                .map(|[x, y]| DVec3::new(x, y, 0.0))
+                .to_vec(),
+        };
+        let scene = [0.0, 10.0].map(triangle);
+        let mut work = ();
+        let mut sort = DepthSort::new(&scene, DVec4::Z, &mut work);
+        let first = sort.sorted.pop().unwrap().piece;
+        sort.open(first);
+        assert!(sort.settle(&[0, 1]));
+        assert_eq!(sort.order(), Ok(vec![0, 1]));
+    }
+
+    /// A ring whose sides are settled is none: what its pieces hide is asked again.
+    #[test]
+    fn a_settled_ring_is_open() {
+        // z = x and z = -x cross; the first reaches higher.
+        let crossing = |slope: f64| Polygon {
+            vertices: [[-1.0, -1.0], [2.0, -1.0], [2.0, 1.0], [-1.0, 1.0]]
+                .map(|[x, y]| DVec3::new(x, y, slope * x))
+                .to_vec(),
+        };
+        let scene = [1.0, -1.0].map(crossing);
+        let mut work = ();
+        let mut sort = DepthSort::new(&scene, DVec4::Z, &mut work);
+        let ring = sort.paint_until_ring().unwrap();
+        assert!(sort.settle(&ring));
+        assert_eq!(sort.order(), Ok(vec![1, 0]));
+    }
 }

@@ -176,30 +176,33 @@ fn counts() {
 /// What lies beyond near and far is no fragment; what is cut gets new vertices; every form counts alike.
 #[test]
 fn what_is_cut_is_counted() {
-    // z = 2 x: in range for x from −½ to ½, the middle two of four columns.
-    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-        .map(|(x, y)| DVec3::new(x, y, 2.0 * x));
     let camera = Camera {
         view_projection: DMat4::IDENTITY,
         viewport: viewport(4, 4),
     };
-    // Two cuts cross two sides each: four new corners. Of the columns' eight centres two lie on the diagonal, a left side.
-    for (triangles, expected) in [
-        (&[[0, 1, 2]][..], "5 fragments, 5 depth tests, 7 vertices"),
-        (
-            &[[0, 1, 2], [0, 2, 3]],
-            "8 fragments, 8 depth tests, 12 vertices",
-        ),
+    // A square of four columns, its depth rising from left to right. Each plane crosses two sides of each half: two new
+    // corners. Of a column's four centres one is on the diagonal, a left side of the first half.
+    for (slope, z, first, both) in [
+        // The middle two columns are in range.
+        (2.0, 0.0, "5 fragments, 5 depth tests, 7 vertices", 12),
+        // The left two, up to the far plane; the right two, from the near plane on.
+        (1.0, 1.0, "3 fragments, 3 depth tests, 5 vertices", 8),
+        (1.0, -1.0, "7 fragments, 7 depth tests, 5 vertices", 8),
     ] {
-        let mesh = Mesh {
-            positions: corners[..triangles.len() + 2].to_vec(),
-            triangles: triangles.to_vec(),
-        };
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+            .map(|(x, y)| DVec3::new(x, y, slope * x + z));
         for form in [Form::Plain, Form::Fast] {
-            let mut depth = DepthBuffer::<Depth32F>::new(4, 4).unwrap();
-            let mut work = Work::default();
-            depth_drawn(&mesh, &camera, Cull::Nothing, &mut depth, form, &mut work).unwrap();
-            assert_eq!(work.to_string(), expected, "{form:?}");
+            let count = |corners: &[DVec3], triangles: &[[u32; 3]]| {
+                let mesh = Mesh::new(corners.to_vec(), triangles.to_vec()).unwrap();
+                let mut depth = DepthBuffer::<Depth32F>::new(4, 4).unwrap();
+                let mut work = Work::default();
+                depth_drawn(&mesh, &camera, Cull::Nothing, &mut depth, form, &mut work).unwrap();
+                work
+            };
+            let half = count(&corners[..3], &[[0, 1, 2]]);
+            assert_eq!(half.to_string(), first, "{form:?}");
+            let whole = count(&corners, &[[0, 1, 2], [0, 2, 3]]);
+            assert_eq!((whole.fragments, whole.vertices), (8, both), "{form:?}");
         }
     }
 }

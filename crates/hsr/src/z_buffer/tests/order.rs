@@ -64,6 +64,43 @@ proptest! {
     }
 }
 
+/// The same triangle twice: in every format and form the first one stays.
+#[test]
+fn of_equal_depths_the_first_stays() {
+    fn check<F: DepthFormat>() {
+        let corners = [(-2.0, -2.0, -0.7), (2.0, -2.0, 0.3), (0.0, 2.0, 0.9)].map(DVec3::from);
+        let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2], [2, 0, 1]]).unwrap();
+        for form in [Form::Plain, Form::Fast] {
+            let mut picture = buffers::new(SIZE.0, SIZE.1, Luma([9u8])).unwrap();
+            let mut depth = DepthBuffer::<F>::new(SIZE.0, SIZE.1).unwrap();
+            // One after the other, so that the depths are the same to the last bit.
+            for colour in [1, 2] {
+                let target = (&mut picture, &mut depth);
+                drawn::<F, _, _>(
+                    &Mesh {
+                        triangles: vec![mesh.triangles[0]],
+                        ..mesh.clone()
+                    },
+                    &front(),
+                    Colours::One(Luma([colour])),
+                    Options::default(),
+                    target,
+                    form,
+                    &mut (),
+                )
+                .unwrap();
+            }
+            let count = |v: u8| picture.iter().filter(|&&p| p == v).count();
+            assert!(count(1) > 900, "{}", F::NAME);
+            assert_eq!(count(2), 0, "{} {form:?}", F::NAME);
+        }
+    }
+    check::<Depth16>();
+    check::<Depth24>();
+    check::<Depth32F>();
+    check::<ReversedDepth32F>();
+}
+
 /// Many triangles of all sizes, in layers that tie.
 fn many(n: u32) -> Mesh {
     let mut random = 1u32;
@@ -199,4 +236,40 @@ fn a_million_triangles() {
     // All but the last column and row or two are full.
     assert!(picture.iter().filter(|&&id| id < 1_000_000).count() >= 46 * 38);
     assert_eq!(depth.image(), reversed.image());
+}
+
+/// Over what is itself transparent: by hand from α' = α + (1 − α) α_below and C' = (α C + (1 − α) α_below C_below) / α'.
+#[test]
+fn transparent_over_transparent() {
+    let mesh = Mesh::new(
+        [(-9.0, -9.0, 0.0), (9.0, -9.0, 0.0), (0.0, 18.0, 0.0)]
+            .map(DVec3::from)
+            .to_vec(),
+        vec![[0, 1, 2]],
+    )
+    .unwrap();
+    // Two fifths over one fifth: 0.52 = 132.6 of 255; (80 + 12) / 0.52 = 176.9.
+    let (below, pixel) = (Rgba([100u8, 0, 255, 51]), Rgba([200, 0, 255, 102]));
+    let nothing = Rgba([1, 2, 3, 0]);
+    for (below, pixel, expected) in [
+        (below, pixel, Rgba([177, 0, 255, 133])),
+        (nothing, pixel, pixel),
+        (below, nothing, below),
+        (nothing, Rgba([4, 5, 6, 0]), nothing),
+    ] {
+        for colours in [Colours::One(pixel), Colours::PerVertex(&[pixel; 3])] {
+            for form in [Form::Plain, Form::Fast] {
+                let mut picture = buffers::new(SIZE.0, SIZE.1, below).unwrap();
+                let mut depth = DepthBuffer::<Depth24>::new(SIZE.0, SIZE.1).unwrap();
+                let options = Options {
+                    blend: Blend::Over,
+                    ..Options::default()
+                };
+                let target = (&mut picture, &mut depth);
+                drawn(&mesh, &front(), colours, options, target, form, &mut ()).unwrap();
+                let other = picture.pixels().find(|&&p| p != expected);
+                assert_eq!(other, None, "{pixel:?} over {below:?}, {form:?}");
+            }
+        }
+    }
 }
