@@ -13,7 +13,9 @@ use ombra_math::camera::Camera;
 use ombra_math::glam::{DMat3, DVec3, dvec3};
 use ombra_math::solids::{cuboid, sphere, teapot};
 use ombra_math::view::{Viewport, look_at, orthographic, perspective};
+use ombra_raster::attributes::{linear, weights};
 use ombra_raster::buffers::{self, image::Luma};
+use ombra_raster::triangle::{cover, snap};
 use ombra_tests::cases::Random;
 use z_buffer::{Colours, Cull, DepthBuffer, Options, ReversedDepth32F};
 
@@ -282,6 +284,53 @@ fn all_methods_give_one_picture() {
         });
         assert_eq!(found, pixels, "{name}");
     }
+}
+
+/// The z-buffer's picture by another way: corners moved to multiples of 2⁻⁸ of a pixel, the pixels of each triangle by
+/// exact spans, the depth there as the mixture of its corners' depths. `None` where the view volume cuts a triangle.
+fn by_snapped_spans(scene: &Scene) -> Option<IdBuffer> {
+    let (mesh, sources) = triangles(&scene.polygons).unwrap();
+    let mut picture = paint([], &scene.camera).unwrap();
+    let mut nearest = vec![0.0f32; (SIZE * SIZE) as usize];
+    for (triangle, &source) in mesh.triangles.iter().zip(&sources) {
+        let clip = triangle.map(|i| scene.camera.to_clip(mesh.positions[i as usize]));
+        if clip.iter().any(|p| p.w <= 0.0 || p.z.abs() > p.w) {
+            return None;
+        }
+        let places = clip.map(|p| VIEWPORT.to_pixel(p.truncate() / p.w).truncate());
+        let corners = places.map(|place| snap(place, 8));
+        // Reversed: 1 at the near plane.
+        let depths = clip.map(|p| (p.w - p.z) / (2.0 * p.w));
+        for span in cover(corners, SIZE, SIZE).unwrap() {
+            for pixel in span.pixels() {
+                let shares = weights(corners, pixel.as_dvec2() + 0.5).unwrap();
+                let depth = linear(shares, depths) as f32;
+                let stored = &mut nearest[(pixel.y * SIZE + pixel.x) as usize];
+                if depth > *stored {
+                    *stored = depth;
+                    picture.put_pixel(pixel.x, pixel.y, Luma([source as u32]));
+                }
+            }
+        }
+    }
+    Some(picture)
+}
+
+/// What the z-buffer shows otherwise than the rays do comes from snapping alone.
+#[test]
+fn the_z_buffer_differs_by_what_snapping_moves() {
+    let mut predicted = 0;
+    for scene in scenes() {
+        let Some(expected) = by_snapped_spans(&scene) else {
+            continue;
+        };
+        predicted += 1;
+        let found = by_z_buffer(&scene, Options::default());
+        let pairs = found.pixels().zip(expected.pixels());
+        let unlike = pairs.filter(|(a, b)| a != b).count();
+        assert_eq!(unlike, 0, "{}", scene.name);
+    }
+    assert!(predicted >= 10, "{predicted}");
 }
 
 #[test]
