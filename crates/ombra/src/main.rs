@@ -1,6 +1,14 @@
 //! `ombra`: figures for slides, and the measured trade of speed against accuracy.
 //!
-//! Nothing but reading arguments and printing: the work is done in `ombra-figures` and `ombra-trade`.
+//! Nothing but reading arguments and printing: the work is done in [`ombra_figures`] and [`ombra_trade`]. The lectures:
+//!
+//! | crate | lecture |
+//! | --- | --- |
+//! | [`ombra_raster`](../ombra_raster/index.html) | rasterization: segments, polygons, triangles |
+//! | [`ombra_clip`](../ombra_clip/index.html) | clipping: points, segments, polygons, the view volume |
+//! | [`ombra_hsr`](../ombra_hsr/index.html) | hidden surfaces: object space, image space, painter, z-buffer |
+//! | [`ombra_shadows`](../ombra_shadows/index.html) | shadows on a plane |
+//! | [`ombra_math`](../ombra_math/index.html) | what all of them stand on: planes, views, meshes, exact signs |
 
 mod figures;
 mod list;

@@ -104,7 +104,8 @@ pub fn show_points(polygon: &[DVec2]) -> String {
 }
 
 /// A number in full where it has few digits before or after the point, else with a power of ten.
-fn show_number(x: f64) -> String {
+#[must_use]
+pub fn show_number(x: f64) -> String {
     if x == 0.0 || !x.is_finite() || (1e-4..1e12).contains(&x.abs()) {
         x.to_string()
     } else {

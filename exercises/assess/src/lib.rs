@@ -11,7 +11,9 @@ mod segment;
 mod steps;
 mod windows;
 
-pub use compare::{is_near, near, near_number, parallel, show, show_point, show_points, some};
+pub use compare::{
+    is_near, near, near_number, parallel, show, show_number, show_point, show_points, some,
+};
 pub use grid::Grid;
 pub use inputs::Inputs;
 pub use segment::Segment;

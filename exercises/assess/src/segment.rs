@@ -98,7 +98,7 @@ impl Segment {
             dx.abs().max(dy.abs()).unsigned_abs() + 1,
         );
         let rule = format!(
-            "{count} pixels, but max(|dx|, |dy|) steps lead from a to b, with both ends {want} pixels"
+            "plot is called {count}×, but max(|dx|, |dy|) steps lead from a to b, with both ends {want} pixels"
         );
         assert!(count <= want, "{what}: {rule}");
         self.assert_begins_with(pixels);
@@ -268,7 +268,7 @@ mod tests {
 
     #[test]
     #[should_panic(
-        expected = "8 pixels, but max(|dx|, |dy|) steps lead from a to b, with both ends 9 pixels"
+        expected = "plot is called 8×, but max(|dx|, |dy|) steps lead from a to b, with both ends 9 pixels"
     )]
     fn a_missing_end_is_named() {
         slide().assert_pixels(&RIGHT[..8]);

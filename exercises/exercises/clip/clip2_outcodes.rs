@@ -122,6 +122,18 @@ mod tests {
             !is(|code| code & 0b0011 | code >> 1 & 0b0100 | code << 1 & 0b1000),
             "above and below are exchanged: in a window y points up, and above is y > y_max",
         );
+        assert!(
+            !is(|code| code & 0b1100 | code >> 1 & 0b0001 | code << 1 & 0b0010),
+            "right and left are exchanged: the 3rd digit is right, x > x_max, the 4th left",
+        );
+        let one_bit = all.iter().all(|(.., got, want)| {
+            got & !want == 0 && got.count_ones() == want.count_ones().min(1)
+        });
+        assert!(
+            !one_bit,
+            "every code is right but for the corners, where one bit is set and the other one lost: a corner lies beyond \
+             two sides, so four `if`, no `else`, and each adds its bit, `|=`",
+        );
         for (window, p, got, want) in all {
             assert!(
                 got == want,

@@ -8,7 +8,7 @@ use glam::{DVec3, DVec4};
 ///
 /// `triangle` is [A, B, C], counter-clockwise as seen from outside. `eye` is homogeneous: E_w = 1 a place, E_w = 0 the
 /// direction *towards* the viewer of a parallel view, the same for every triangle. A triangle seen edge-on, n·v = 0, is
-/// kept: it covers no pixel.
+/// kept: it covers no pixel. v may begin at any vertex; nothing has to be made unit, so the sign is that of n·v itself.
 ///
 /// Grafica 3, Ottimizzazione: Back-face Culling and Back Face Culling. Beware: the first slide measures the angle from
 /// the direction of view, the second from the viewer. Only one of them agrees with n·v ≥ 0.
@@ -47,7 +47,11 @@ mod tests {
 
     fn name(triangle: [DVec3; 3], eye: DVec4) -> String {
         let [a, b, c] = triangle.map(show);
-        format!("triangle {a} {b} {c}, eye {eye}")
+        format!(
+            "triangle {a} {b} {c}, eye {} with E_w = {}",
+            show(eye.truncate()),
+            eye.w
+        )
     }
 
     #[test]
@@ -151,9 +155,9 @@ mod tests {
                 let got = is_front_facing(triangle, eye.extend(1.0));
                 assert!(
                     got == seen,
-                    "{}: n·v is {} n·n, so the triangle is to be {}",
+                    "{}: n·v = {off} n·n {} 0, so the triangle is to be {}",
                     name(triangle, eye.extend(1.0)),
-                    off,
+                    if seen { '>' } else { '<' },
                     if seen { "kept" } else { "left out" },
                 );
             }
@@ -170,12 +174,21 @@ mod tests {
             for (off, seen) in [(1.0, true), (-1.0, false)] {
                 let towards = s * (b - a) + t * (c - a) + off * normal;
                 let got = is_front_facing(triangle, towards.extend(0.0));
+                // Seen from a place, it would now turn its other side: n·n ≥ 1, |n·a| < 2¹⁵.
+                let away = triangle.map(|p| p + 32_768.0 * off * normal);
+                assert!(
+                    is_front_facing(away, towards.extend(0.0)) == got,
+                    "{}: E_w = 0 is a parallel view: v is that direction itself, wherever the triangle is, but moved away \
+                     by {} the answer changes",
+                    name(triangle, towards.extend(0.0)),
+                    show(32_768.0 * off * normal),
+                );
                 assert!(
                     got == seen,
-                    "{}: w = 0 is a parallel view: v is that direction itself, wherever the triangle is, and n·v is {} \
-                     n·n",
+                    "{}: n·v = {off} n·n {} 0, so the triangle is to be {}",
                     name(triangle, towards.extend(0.0)),
-                    off,
+                    if seen { '>' } else { '<' },
+                    if seen { "kept" } else { "left out" },
                 );
             }
         }
@@ -188,10 +201,14 @@ mod tests {
             let ([a, b, c], normal) = through_the_origin(&mut inputs);
             let triangle = if normal.z > 0.0 { [a, b, c] } else { [a, c, b] };
             let [s, t] = [(); 2].map(|()| f64::from(inputs.integer(-4, 4)));
+            if (s, t) == (0.0, 0.0) {
+                continue;
+            }
             let eye = (s * b + t * c).extend(w);
             assert!(
                 is_front_facing(triangle, eye),
-                "{}: the eye is in the plane of the triangle, n·v = 0 exactly: the slide keeps it, cos θ ≥ 0",
+                "{}: the eye is in the plane of the triangle, n·v = 0 exactly: the slide keeps it, cos θ ≥ 0 (nothing is \
+                 rounded here if v begins at a vertex and nothing is made unit)",
                 name(triangle, eye),
             );
         }

@@ -42,7 +42,7 @@ fn main() {}
 #[cfg(test)]
 mod tests {
     use super::{Buffers, Triangle, draw};
-    use assess::{Inputs, show};
+    use assess::{Inputs, show, show_number};
     use glam::{DVec3, IVec2, IVec3};
 
     const WIDTH: usize = 20;
@@ -172,8 +172,10 @@ mod tests {
             );
             if let Some(z) = depth.iter().find(|&&z| z != far) {
                 panic!(
-                    "no triangle: the depth buffer is initialised to the far distance, {far}, but holds {z}: what is to be \
-                     nearer than that?"
+                    "no triangle: the depth buffer is initialised to the far distance, {}, but holds {}: what is to be \
+                     nearer than that?",
+                    show_number(far),
+                    show_number(*z),
                 );
             }
         }
@@ -280,6 +282,31 @@ mod tests {
     }
 
     #[test]
+    fn nearer_by_next_to_nothing() {
+        let level = |z, colour| {
+            let mut triangle =
+                Quarters([(1, 1, 0), (79, 1, 0), (1, 39, 0)].map(IVec3::from)).colour(colour);
+            for v in &mut triangle.vertices {
+                v.z = z;
+            }
+            triangle
+        };
+        for z in [7.0, 1e-9, -1e-300] {
+            // Far less than any tolerance in use, far more than any formula for z rounds.
+            let scene = [level(z, 'A'), level(z - 1e-12 * z.abs(), 'B')];
+            let Buffers { colour, .. } = drawn(&scene, WIDTH, HEIGHT, FAR);
+            let (i, j) = scene[0].pixels[0];
+            assert!(
+                colour[i + j * WIDTH] == 'B',
+                "A at z = {}, then B nearer by a 10¹²th of that: at pixel ({i}, {j}) B is nearest, for z < depth has no \
+                 tolerance, but there is {}",
+                show_number(z),
+                colour[i + j * WIDTH],
+            );
+        }
+    }
+
+    #[test]
     fn at_the_far_distance_and_huge() {
         let mut level = Quarters([(1, 1, 0), (79, 1, 0), (1, 39, 0)].map(IVec3::from)).colour('A');
         for (z, far, seen) in [
@@ -303,7 +330,9 @@ mod tests {
             };
             assert!(
                 got == seen,
-                "a triangle at z = {z}, the far distance {far}: it is {verdict}"
+                "a triangle at z = {}, the far distance {}: it is {verdict}",
+                show_number(z),
+                show_number(far),
             );
         }
     }

@@ -121,6 +121,25 @@ mod tests {
     }
 
     #[test]
+    fn long_segments() {
+        // 30 011 is prime: no ties, and every pixel is clear of one by 1 / 60 022. The sums of f64 are off by 10⁻⁷ at
+        // most: 30 011 additions, each rounded by 2⁻³⁸, half the spacing of numbers below 2¹⁵.
+        for way in [(30_011, 12_345), (-30_011, 29_998), (7, 30_011)] {
+            let a = IVec2::new(100, -40);
+            let long = Segment::new(a, a + IVec2::from(way));
+            let pixels = long.drawn_by(segment);
+            assert!(
+                long.nearest(&pixels)
+                    || !long.within_one(&pixels)
+                    || !pixels.get(..65).is_some_and(|first| long.nearest(first)),
+                "{}: most pixels are right, but not all: the sum, or m, is kept in f32, which has 24 bits; add in f64",
+                long.show(),
+            );
+            check(long);
+        }
+    }
+
+    #[test]
     fn any_drift() {
         let mut inputs = Inputs::new(24);
         for _ in 0..20 {

@@ -152,7 +152,7 @@ mod tests {
             for p in [beyond(1e-3), beyond(1e-6), beyond(1e-9), next] {
                 assert!(
                     !contains(window, p),
-                    "{} lies just beyond the {} side of {}: a tolerance that nobody asked for lets it in",
+                    "{} lies just beyond the {} side of {}, so outside: compare with the side itself, without a tolerance",
                     show_point(p),
                     side.0,
                     show(window),

@@ -119,6 +119,30 @@ mod tests {
     }
 
     #[test]
+    fn nearly_parallel() {
+        // dx is 2⁻⁴⁰ and 2⁻⁹⁰⁰: the segment crosses the left side at y = 5, halfway.
+        for tiny in [2f64.powi(-41), 2f64.powi(-901)] {
+            let case = WindowCase {
+                min: DVec2::ZERO,
+                max: DVec2::splat(10.0),
+                a: DVec2::new(-tiny, 2.0),
+                b: DVec2::new(tiny, 8.0),
+                inside: Some((DVec2::new(0.0, 5.0), DVec2::new(tiny, 8.0))),
+            };
+            assert!(
+                case.is_right(got(&case)),
+                "{case}: nearly parallel to the left side, and still it crosses it, at (0, 5); got {}: parallel is \
+                 x_a = x_b and nothing else",
+                got(&case).map_or("nothing".to_owned(), |(p, q)| format!(
+                    "{} to {}",
+                    show_point(p),
+                    show_point(q)
+                )),
+            );
+        }
+    }
+
+    #[test]
     fn any_segment() {
         let mut inputs = Inputs::new(34);
         let all: Vec<(WindowCase, Ends)> = (0..400)
@@ -151,12 +175,16 @@ mod tests {
                         "{case}: {} lies on the line, but not between a and b: t must be within 0…1",
                         show_point(p),
                     );
+                    let in_window =
+                        p.cmpge(case.min - slack).all() && p.cmple(case.max + slack).all();
+                    let near = |side: DVec2| (p - side).abs().min_element() <= slack;
                     assert!(
-                        p.cmpge(case.min - slack).all() && p.cmple(case.max + slack).all(),
+                        in_window || !(near(case.min) || near(case.max)),
                         "{case}: {} lies on the line of a side, but beyond the side: where x = x_min, y must be \
                          within y_min…y_max",
                         show_point(p),
                     );
+                    assert!(in_window, "{case}: {} is not in the window", show_point(p));
                 }
             }
             case.assert_right(*got);

@@ -143,7 +143,7 @@ mod tests {
             rounds.push((a, b));
         });
         let Some(&last) = rounds.last() else {
-            panic!("{case}: `round` was never called")
+            panic!("{case}: `round` was never called: call it first of all in every round")
         };
         assert!(
             tests(case, last) != (false, false),
@@ -208,7 +208,8 @@ mod tests {
         case.assert_right(got);
         assert!(
             rounds.len() == cuts + 1,
-            "{case}: {cuts} cuts, so {} rounds, not {}",
+            "{case}: with {cuts} for the number of cuts there are {} rounds, the last one without a cut, but `round` was \
+             called {}×",
             cuts + 1,
             rounds.len()
         );

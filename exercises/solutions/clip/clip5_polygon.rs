@@ -114,6 +114,11 @@ mod tests {
     #[track_caller]
     fn assert_same(what: &str, got: &[DVec2], want: &[DVec2]) {
         let (got_points, want_points) = (show_points(got), show_points(want));
+        let turned: Vec<_> = got.iter().rev().copied().collect();
+        assert!(
+            same(got, want) || !same(&turned, want),
+            "{what}: expected {want_points}, got {got_points}: the same vertices the other way round; they keep their order",
+        );
         assert!(
             same(got, want),
             "{what}: expected {want_points}, got {got_points}"
@@ -283,13 +288,17 @@ mod tests {
             ((0.0, 1.0, -9.0), vec![]),
         ] {
             let got = clip_against_line(&square, line.into());
-            let what = format!("the square against {}", show_line(line.into()));
+            let what = format!(
+                "the square (2, 2) to (8, 8) against {}",
+                show_line(line.into())
+            );
             let next = got.iter().cycle().skip(1);
             assert!(
                 !got.iter().zip(next).any(|(p, q)| p == q),
                 "{what}: {} has a vertex twice: one on the line is its own crossing",
                 show_points(&got),
             );
+            let what = format!("{what}, and a vertex on the line is inside");
             assert_same(&what, &got, &points(&want));
         }
         for few in [&square[..0], &square[..1], &square[..2]] {

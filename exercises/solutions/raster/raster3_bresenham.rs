@@ -207,7 +207,10 @@ mod tests {
         ] {
             let steps =
                 first_calls(300, |take| trace(IVec2::ZERO, b, take)).unwrap_or_else(|said| {
-                    panic!("(0, 0) to {b}: {said}: 2F is as large as 4·10⁹ here, beyond an i32")
+                    panic!(
+                        "{}: {said}: 2F is as large as 4·10⁹ here, beyond an i32",
+                        Segment::new(IVec2::ZERO, b).show(),
+                    )
                 });
             check(IVec2::ZERO, b, &steps);
         }

@@ -134,7 +134,7 @@ mod tests {
         ] {
             let pixels = long.begun_by(300, segment).unwrap_or_else(|said| {
                 panic!(
-                    "{}: {said}: i32 does not hold dx, dy and 2F; i64 does",
+                    "{}: {said}: i32 does not hold dx, dy and 2F, i64 does; or x or y is moved away from b",
                     long.show()
                 )
             });

@@ -82,7 +82,14 @@ mod tests {
 
     fn pixels(polygon: &[DVec2], rule: FillRule) -> Vec<(i32, i32)> {
         calls_within("plotting", 4 * (WIDTH * HEIGHT) as usize, |take| {
-            fill(polygon, rule, WIDTH, HEIGHT, &mut |x, y| take((x, y)));
+            fill(polygon, rule, WIDTH, HEIGHT, &mut |x, y| {
+                assert!(
+                    (0..WIDTH).contains(&x) && (0..HEIGHT).contains(&y),
+                    "{rule:?}, {}: pixel ({x}, {y}) lies outside the picture, 0 ≤ i < {WIDTH}, 0 ≤ j < {HEIGHT}",
+                    show_points(polygon),
+                );
+                take((x, y));
+            });
         })
     }
 
@@ -111,15 +118,10 @@ mod tests {
     }
 
     /// Which of the points (i, j), moved by `at` quarters, are inside; `None` on an edge.
-    fn picture(quarters: &[IVec2], rule: FillRule, at: i32) -> Vec<Option<bool>> {
+    fn picture(quarters: &[IVec2], is_in: fn(i32) -> bool, at: IVec2) -> Vec<Option<bool>> {
         let pixels = (0..HEIGHT).flat_map(|j| (0..WIDTH).map(move |i| IVec2::new(i, j)));
         pixels
-            .map(|pixel| {
-                winding(quarters, 4 * pixel + at).map(|winding| match rule {
-                    EvenOdd => winding % 2 != 0,
-                    NonZero => winding != 0,
-                })
-            })
+            .map(|pixel| winding(quarters, 4 * pixel + at).map(is_in))
             .collect()
     }
 
@@ -129,26 +131,46 @@ mod tests {
         let what = format!("{rule:?}, {}", show_points(&polygon));
         let pixels = pixels(&polygon, rule);
         let lit = |i: usize| pixels.contains(&(i as i32 % WIDTH, i as i32 / WIDTH));
-        let fits = |rule, at| {
-            let picture = picture(quarters, rule, at);
+        let even_odd: fn(i32) -> bool = |winding| winding % 2 != 0;
+        let non_zero: fn(i32) -> bool = |winding| winding != 0;
+        let (is_in, other, positive): (_, _, fn(i32) -> bool) = match rule {
+            EvenOdd => (even_odd, non_zero, |winding| {
+                winding > 0 && winding % 2 == 1
+            }),
+            NonZero => (non_zero, even_odd, |winding| winding > 0),
+        };
+        let centre = IVec2::splat(2);
+        let fits = |is_in, at| {
+            let picture = picture(quarters, is_in, at);
             picture
                 .iter()
                 .enumerate()
                 .all(|(i, want)| want.is_none_or(|want| want == lit(i)))
         };
-        if fits(rule, 2) {
+        if fits(is_in, centre) {
             Grid::of(WIDTH as usize, HEIGHT as usize, pixels).assert_once(&what);
             return;
         }
+        for (x, y, at) in [(0, 0, "(i, j)"), (0, 2, "(i, j + ½)"), (2, 0, "(i + ½, j)")] {
+            assert!(
+                !fits(is_in, IVec2::new(x, y)) || pixels.is_empty(),
+                "{what}: this is the picture for centres in {at}; they lie in (i + ½, j + ½)",
+            );
+        }
         assert!(
-            !fits(rule, 0) || pixels.is_empty(),
-            "{what}: this is the picture for centres in (i, j); they lie in (i + ½, j + ½)",
+            !fits(other, centre),
+            "{what}: this is the picture of the {}",
+            match rule {
+                EvenOdd => "non-zero rule: with EvenOdd a winding number of 2 or −2 is outside",
+                NonZero => "even-odd rule: with NonZero a winding number of 2 or −2 is inside too",
+            },
         );
         assert!(
-            rule == EvenOdd || !fits(EvenOdd, 2),
-            "{what}: this is the picture of the even-odd rule: with NonZero a winding number of 2 or −2 is inside too",
+            !fits(positive, centre),
+            "{what}: where the winding number is negative nothing is plotted, but −1 is odd and is not 0 (in Rust \
+             −1 % 2 is −1)",
         );
-        let wanted = picture(quarters, rule, 2);
+        let wanted = picture(quarters, is_in, centre);
         let mut wrong = (0..wanted.len()).filter(|&i| wanted[i].is_some_and(|want| want != lit(i)));
         let has_vertex = |i: usize| quarters.iter().any(|v| v.y == 4 * (i as i32 / WIDTH) + 2);
         let why = if wrong.all(has_vertex) {
@@ -320,7 +342,7 @@ mod tests {
                 assert!(
                     times == usize::from(want(i, j)),
                     "{what} make a rectangle; its left and upper rim are in, the others out, but ({i}, {j}) is plotted \
-                     {times} times",
+                     {times}×",
                 );
             }
         }

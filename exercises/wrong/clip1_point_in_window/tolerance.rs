@@ -1,4 +1,4 @@
-// rejected by beyond_each_side: a tolerance that nobody asked for
+// rejected by beyond_each_side: without a tolerance
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]
