@@ -4,10 +4,13 @@
 //! doubles is an integer times a power of two, so a fixed-point number wide enough for every such product
 //! holds their sum exactly; sign, nearest double and nearest quotient are then read off it.
 
+mod magnitude;
+
 use core::cmp::Ordering;
 
 use glam::DVec4;
 
+use self::magnitude::{Magnitude, round};
 use crate::double_double::{DoubleDouble, UNIT_ROUNDOFF};
 
 /// Weight of the lowest bit: the product of three smallest subnormals, 2⁻¹⁰⁷⁴ each.
@@ -294,84 +297,6 @@ pub(crate) fn dot_in_double_double(a: [f64; 4], b: [f64; 4]) -> (DoubleDouble, f
     (value, 16.0 * UNIT_ROUNDOFF * UNIT_ROUNDOFF * size)
 }
 
-/// |S| from its first bit on: highest limb *first*, the first bit set.
-struct Magnitude {
-    limbs: [u64; LIMBS + 1],
-    /// Limbs from the first to the last that is not zero.
-    used: usize,
-    /// Weight of the first bit, as a power of two.
-    exponent: i32,
-}
-
-impl Magnitude {
-    /// `None` for zero.
-    fn of(sum: &Sum) -> Option<Self> {
-        let mut absolute = sum.limbs;
-        if sum.is_negative() {
-            let mut carry = true;
-            for limb in &mut absolute {
-                let (x, c) = (!*limb).overflowing_add(u64::from(carry));
-                *limb = x;
-                carry = c;
-            }
-        }
-        let highest = absolute.iter().rposition(|&limb| limb != 0)?;
-        let lowest = absolute.iter().position(|&limb| limb != 0)?;
-        let shift = absolute.get(highest)?.leading_zeros();
-        let mut limbs = [0; LIMBS + 1];
-        let pairs = absolute[..=highest]
-            .iter()
-            .rev()
-            .zip(absolute[..highest].iter().rev().chain([&0]));
-        for (to, (&limb, &next)) in limbs.iter_mut().zip(pairs) {
-            *to = (((u128::from(limb) << 64 | u128::from(next)) << shift) >> 64) as u64;
-        }
-        let exponent = LOWEST + 64 * highest as i32 + 63 - shift as i32;
-        Some(Self {
-            limbs,
-            used: highest - lowest + 1,
-            exponent,
-        })
-    }
-
-    /// The value with its first bit's weight put at 2^`exponent`, rounded to the nearest double.
-    fn round(&self, negative: bool, exponent: i32) -> f64 {
-        let sticky = self.limbs.iter().skip(1).any(|&limb| limb != 0);
-        round(negative, self.limbs[0], sticky, exponent)
-    }
-
-    fn halve(&mut self, used: usize) {
-        let mut carry = 0;
-        for limb in self.limbs.iter_mut().take(used) {
-            (*limb, carry) = (carry << 63 | *limb >> 1, *limb & 1);
-        }
-    }
-
-    fn double(&mut self, used: usize) {
-        let mut carry = 0;
-        for limb in self.limbs.iter_mut().take(used).rev() {
-            (*limb, carry) = (*limb << 1 | carry, *limb >> 63);
-        }
-    }
-
-    fn reaches(&self, other: &Self, used: usize) -> bool {
-        self.limbs
-            .iter()
-            .take(used)
-            .ge(other.limbs.iter().take(used))
-    }
-
-    fn subtract(&mut self, other: &Self, used: usize) {
-        let mut borrow = false;
-        for (limb, &word) in self.limbs.iter_mut().zip(&other.limbs).take(used).rev() {
-            let (x, b1) = limb.overflowing_sub(word);
-            let (x, b2) = x.overflowing_sub(u64::from(borrow));
-            *limb = x;
-            borrow = b1 || b2;
-        }
-    }
-}
-
 /// |x| = m · 2ᵉ with an integer m below 2⁵³.
 fn integer_and_exponent(x: f64) -> (u64, i32) {
     let bits = x.to_bits();
@@ -380,27 +305,6 @@ fn integer_and_exponent(x: f64) -> (u64, i32) {
         0 => (fraction, -1074),
         biased => (fraction | 1 << 52, biased - 1075),
     }
-}
-
-/// Nearest double, ties to even, of a number whose first 64 bits are `top` (first bit set, of weight
-/// 2^`exponent`) and which goes on below them if `sticky`.
-fn round(negative: bool, top: u64, sticky: bool, exponent: i32) -> f64 {
-    let sign = if negative { -1.0 } else { 1.0 };
-    // A subnormal keeps fewer bits.
-    let kept = 53 - (-1022 - exponent).max(0);
-    if exponent > 1023 {
-        return sign * f64::INFINITY;
-    }
-    if kept < 0 {
-        return sign * 0.0;
-    }
-    let dropped = 64 - kept;
-    let half = 1u128 << (dropped - 1);
-    let (mut integer, rest) = (u128::from(top) >> dropped, u128::from(top) & (2 * half - 1));
-    if rest > half || (rest == half && (sticky || integer & 1 == 1)) {
-        integer += 1;
-    }
-    sign * libm::scalbn(integer as f64, exponent - 63 + dropped)
 }
 
 #[cfg(test)]

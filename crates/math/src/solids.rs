@@ -3,10 +3,12 @@
 //! Faces run counter-clockwise as seen from outside, y is up, and all but the teapot are closed. Vertices are
 //! shared: one for each place, one for each pole.
 
+mod rings;
 mod teapot;
 
 pub use teapot::teapot;
 
+use self::rings::Rings;
 use crate::mesh::Mesh;
 use crate::triangle::scaled_normal;
 use core::f64::consts::{PI, TAU};
@@ -313,54 +315,6 @@ fn circle(n: u32) -> Vec<(f64, f64)> {
             (cos, -sin)
         })
         .collect()
-}
-
-/// A mesh that grows ring by ring; a ring of one vertex is a pole.
-///
-/// Each ring runs counter-clockwise as seen from the rings before it, so that the faces between look outwards.
-#[derive(Default)]
-struct Rings {
-    mesh: Mesh,
-    /// First vertex of the last ring, and how many it has.
-    last: Option<(u32, u32)>,
-}
-
-impl Rings {
-    fn push(&mut self, ring: impl IntoIterator<Item = DVec3>) {
-        let first = self.mesh.positions.len() as u32;
-        self.mesh.positions.extend(ring);
-        let ring = (first, self.mesh.positions.len() as u32 - first);
-        if let Some(last) = self.last.replace(ring) {
-            self.join(last, ring);
-        }
-    }
-
-    /// Joins the last ring to the first, which must be as long.
-    fn close(&mut self) {
-        if let Some(last) = self.last {
-            self.join(last, (0, last.1));
-        }
-    }
-
-    /// Begins another piece.
-    fn cut(&mut self) {
-        self.last = None;
-    }
-
-    fn join(&mut self, (above, count_above): (u32, u32), (below, count_below): (u32, u32)) {
-        let count = count_above.max(count_below);
-        for i in 0..count {
-            let next = (i + 1) % count;
-            if count_below > 1 {
-                let top = if count_above > 1 { above + i } else { above };
-                self.mesh.triangles.push([top, below + i, below + next]);
-            }
-            if count_above > 1 {
-                let bottom = if count_below > 1 { below + next } else { below };
-                self.mesh.triangles.push([above + i, bottom, above + next]);
-            }
-        }
-    }
 }
 
 fn positive(what: &'static str, value: f64) -> Result<(), SolidError> {

@@ -1,6 +1,6 @@
 //! Sentences from numbers: which technique to take where.
 
-use crate::report::Measured;
+use crate::report::{Measured, Row};
 
 /// A range of a sweep over which one technique is the one to take.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,36 +15,54 @@ pub struct Stretch {
     pub ratios: (f64, f64),
 }
 
+/// What is cheaper by less than this factor is not worth another name in a sentence.
+const WORTH_A_CHANGE: f64 = 1.25;
+
 /// Divides a sweep into the ranges over which the cheapest technique that keeps `tolerance` is the same.
 ///
 /// # Properties
 ///
 /// A technique keeps the tolerance at a setting when its error there, by the study's first measure, does not exceed it.
-/// Which of
-/// two is cheaper is decided once for the sweep, by the median of their ratios to the baseline, so that the noise of
-/// single times does not make the advice waver.
+/// Of those that do, the cheapest is taken; of several that take less than a quarter longer, the one with the least
+/// [`typical_ratio`](Measured::typical_ratio). It is kept until it misses the tolerance, or takes over a quarter longer
+/// than another at two settings running, or at the last: one noisy time in between does not make the advice waver.
 #[must_use]
 pub fn stretches(sweep: &Measured, tolerance: f64) -> Vec<Stretch> {
-    let mut by_cost = sweep.techniques();
-    by_cost.sort_by(|a, b| sweep.typical_ratio(a).total_cmp(&sweep.typical_ratio(b)));
+    let techniques = sweep.techniques();
+    // Of several settings of one technique in one question, the cheapest that keeps it.
+    let cheapest = |q: usize, technique: Option<&str>| -> Option<&Row> {
+        let rows = sweep.questions.get(q)?.rows.iter();
+        let asked = rows.filter(|row| technique.is_none_or(|name| row.technique == name));
+        let good = asked.filter(|row| row.error <= tolerance);
+        good.min_by(|a, b| a.ratio.total_cmp(&b.ratio))
+    };
+    let is_beaten = |q: usize, technique: &str| {
+        let (own, best) = (cheapest(q, Some(technique)), cheapest(q, None));
+        own.zip(best)
+            .is_some_and(|(own, best)| own.ratio > WORTH_A_CHANGE * best.ratio)
+    };
+    let choose = |q: usize| {
+        let own = techniques.iter().filter_map(|name| cheapest(q, Some(name)));
+        let about_the_cheapest = own.filter(|row| !is_beaten(q, row.technique));
+        about_the_cheapest.min_by(|a, b| {
+            let typical = |row: &Row| sweep.typical_ratio(row.technique);
+            typical(a).total_cmp(&typical(b))
+        })
+    };
     let mut stretches: Vec<Stretch> = Vec::new();
-    for question in &sweep.questions {
-        // Of several settings of one technique in one question, the cheapest that keeps it.
-        let keeps = |technique: &&str| {
-            let good = question
-                .rows
-                .iter()
-                .filter(|row| row.technique == *technique && row.error <= tolerance);
-            good.min_by(|a, b| a.ratio.total_cmp(&b.ratio))
-        };
-        let best = by_cost.iter().find_map(keeps);
+    for (q, question) in sweep.questions.iter().enumerate() {
+        let before = stretches.last().and_then(|last| last.technique);
+        let goes_on = q + 1 < sweep.questions.len();
+        let is_beaten_from_here =
+            |name: &str| is_beaten(q, name) && (!goes_on || is_beaten(q + 1, name));
+        let stays = before.filter(|name| !is_beaten_from_here(name));
+        let own = stays.and_then(|name| cheapest(q, Some(name)));
+        let best = own.or_else(|| choose(q));
         let Some(setting) = best.or(question.rows.first()).map(|row| row.setting) else {
             continue;
         };
-        let (technique, ratio) = (
-            best.map(|row| row.technique),
-            best.map_or(f64::NAN, |row| row.ratio),
-        );
+        let technique = best.map(|row| row.technique);
+        let ratio = best.map_or(f64::NAN, |row| row.ratio);
         match stretches.last_mut() {
             Some(last) if last.technique == technique => {
                 last.to = setting;
@@ -59,6 +77,39 @@ pub fn stretches(sweep: &Measured, tolerance: f64) -> Vec<Stretch> {
         }
     }
     stretches
+}
+
+impl Stretch {
+    /// Its technique, in words.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.technique.unwrap_or("none that is measured here")
+    }
+
+    /// From the easiest to the hardest setting, each as `number` writes it: `10⁵ to 10¹²`.
+    #[must_use]
+    pub fn range(&self, number: fn(f64) -> String) -> String {
+        between((self.from, self.to), number)
+    }
+}
+
+/// `0.5`, or `0.5 to 1.4` where the two ends read differently.
+#[must_use]
+pub fn between(ends: (f64, f64), number: fn(f64) -> String) -> String {
+    let (low, high) = (number(ends.0), number(ends.1));
+    if low == high {
+        low
+    } else {
+        format!("{low} to {high}")
+    }
+}
+
+/// The least and the greatest; (∞, −∞) of none.
+#[must_use]
+pub fn extent(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    let wider = |(low, high): (f64, f64), x: f64| (low.min(x), high.max(x));
+    values.into_iter().fold(none, wider)
 }
 
 /// `a`, `a and b`, `a, b and c`.
@@ -98,26 +149,35 @@ pub fn power_of_ten(x: f64) -> String {
     }
 }
 
-/// A ratio of times with two digits, one decimal below 10: `0.6`, `49`.
+/// A ratio of times with one or two digits: `0.04`, `0.6`, `49`.
 #[must_use]
 pub fn times(ratio: f64) -> String {
-    if ratio < 9.95 {
+    if ratio < 0.095 {
+        format!("{ratio:.2}")
+    } else if ratio < 9.95 {
         format!("{ratio:.1}")
     } else {
         format!("{ratio:.0}")
     }
 }
 
-/// A share in percent with two digits: `0.0031 %`, `4.2 %`, `87 %`.
+/// A share in percent with two digits, `0.0031 %`, `4.2 %`, `87 %`; near all, two digits of what is missing: `99.87 %`.
+///
+/// Only nothing is 0 %, and only all is 100 %.
 #[must_use]
 pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;
+    let digits = if percent > 99.0 && percent < 100.0 {
+        100.0 - percent
+    } else {
+        percent
+    };
     // The power of ten of the first digit, after rounding to two.
-    let text = format!("{percent:.1e}");
+    let text = format!("{digits:.1e}");
     let exponent = text
         .split_once('e')
         .and_then(|(_, e)| e.parse::<i32>().ok());
-    let decimals = (1 - exponent.unwrap_or(1)).clamp(0, 9) as usize;
+    let decimals = (1 - exponent.unwrap_or(1)).max(0) as usize;
     match percent {
         0.0 => "0 %".to_owned(),
         100.0 => "100 %".to_owned(),
@@ -126,134 +186,4 @@ pub fn percent(share: f64) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::deviation::Deviation;
-    use crate::report::{Answered, Row};
-    use crate::statistics::Quartiles;
-    use ombra_math::work::Work;
-
-    fn row(technique: &'static str, setting: f64, ratio: f64, error: Option<f64>) -> Row {
-        Row {
-            technique,
-            setting,
-            // Without an error, one of two answers is missing and the other right.
-            error: Deviation::of([Some(0.0), error]).worst(),
-            deviation: Deviation::of([Some(0.0), error]),
-            faults: vec![],
-            work: Work::default(),
-            nanoseconds: Quartiles::of(&[ratio]),
-            ratio,
-            on_front: false,
-        }
-    }
-
-    fn sweep(questions: Vec<Vec<Row>>) -> Measured {
-        let questions = questions.into_iter().map(|rows| Answered {
-            inputs: String::new(),
-            units: 1,
-            rows,
-        });
-        Measured {
-            name: "",
-            knob: "",
-            charted: 0,
-            questions: questions.collect(),
-        }
-    }
-
-    #[test]
-    fn the_cheapest_that_keeps_the_tolerance() {
-        let at = |k: f64, fast: Option<f64>, slow: Option<f64>| {
-            vec![
-                row("slow", k, 8.0 + k, slow),
-                row("fast", k, 1.0 + k / 100.0, fast),
-            ]
-        };
-        let mixed = sweep(vec![
-            at(1.0, Some(1e-9), Some(0.0)),
-            at(2.0, Some(1e-9), Some(0.0)),
-            at(3.0, Some(2e-9), Some(0.0)),
-            // A missing answer is no answer.
-            at(4.0, None, Some(0.0)),
-            at(5.0, None, Some(1.0)),
-        ]);
-        let found = stretches(&mixed, 1e-9);
-        let plain: Vec<_> = found.iter().map(|s| (s.technique, s.from, s.to)).collect();
-        assert_eq!(
-            plain,
-            [
-                (Some("fast"), 1.0, 2.0),
-                (Some("slow"), 3.0, 4.0),
-                (None, 5.0, 5.0)
-            ]
-        );
-        assert_eq!(
-            (found[0].ratios, found[1].ratios),
-            ((1.01, 1.02), (11.0, 12.0))
-        );
-        assert!(found[2].ratios.0.is_nan());
-        assert_eq!(stretches(&sweep(vec![vec![]]), 1.0), []);
-    }
-
-    #[test]
-    fn one_noisy_time_does_not_change_the_advice() {
-        let at =
-            |k: f64, a: f64, b: f64| vec![row("a", k, a, Some(0.0)), row("b", k, b, Some(0.0))];
-        let mixed = sweep(vec![
-            at(1.0, 1.0, 2.0),
-            at(2.0, 3.0, 2.0),
-            at(3.0, 1.0, 2.0),
-        ]);
-        let found = stretches(&mixed, 0.5);
-        assert_eq!(
-            (found.len(), found[0].technique, found[0].ratios),
-            (1, Some("a"), (1.0, 3.0))
-        );
-    }
-
-    #[test]
-    fn of_a_knob_within_one_question_the_cheapest_setting_is_taken() {
-        let samples = |n: f64, error| row("samples", n, n, Some(error));
-        let sweep = sweep(vec![vec![
-            samples(16.0, 0.001),
-            samples(4.0, 0.01),
-            samples(1.0, 0.1),
-        ]]);
-        assert_eq!(stretches(&sweep, 0.02)[0].from, 4.0);
-    }
-
-    #[test]
-    fn words() {
-        for (x, text) in [
-            (1e-9, "10⁻⁹"),
-            (1e15, "10¹⁵"),
-            (1.0, "1"),
-            (2.5e-4, "2.5·10⁻⁴"),
-            (4.0, "4"),
-            (3e20, "3·10²⁰"),
-            (10.0, "10"),
-        ] {
-            assert_eq!(power_of_ten(x), text);
-        }
-        assert_eq!(
-            (times(0.635), times(9.94), times(48.9)),
-            ("0.6".into(), "9.9".into(), "49".into())
-        );
-        for (share, text) in [
-            (0.0, "0 %"),
-            (1.0, "100 %"),
-            (0.5, "50 %"),
-            (0.0423, "4.2 %"),
-            (0.0999, "10 %"),
-            (3.1e-5, "0.0031 %"),
-        ] {
-            assert_eq!(percent(share), text);
-        }
-        let parts = ["a", "b", "c"].map(str::to_owned);
-        assert_eq!(listed(&parts), "a, b and c");
-        assert_eq!(listed(&parts[..2]), "a and b");
-        assert_eq!(listed(&parts[..1]), "a");
-        assert_eq!(listed(&[]), "");
-    }
-}
+mod tests;

@@ -6,7 +6,6 @@ use ombra_figures::style::Style;
 
 use crate::deviation::Measure;
 use crate::error::TradeError;
-use crate::pareto;
 use crate::report::{Measured, Report, Row};
 
 /// The charts of every sweep that have anything to show.
@@ -28,7 +27,7 @@ pub fn draw(report: &Report, style: &Style) -> Result<Vec<Drawing>, TradeError> 
 /// A curve a technique: its error over the knob. It ends where answers go missing; one that never begins stays in the
 /// list, so that a technique has the same colour in all charts of its study.
 fn error_over_knob(report: &Report, sweep: &Measured, measure: Measure, is_first: bool) -> Chart {
-    let (y, floor) = error_axis(measure, rows(sweep));
+    let (y, floor) = error_axis(measure, sweep.rows());
     let error = |row: &Row| measure.of(&row.deviation);
     let series = sweep.techniques().into_iter().map(|technique| {
         let points = shown(sweep.rows_of(technique), error, floor);
@@ -97,13 +96,8 @@ fn work_over_knob(report: &Report, sweep: &Measured) -> Chart {
 
 /// Every case of the charted question, and its front.
 fn against_cost(report: &Report, sweep: &Measured) -> Chart {
-    let rows = || {
-        sweep
-            .questions
-            .get(sweep.charted)
-            .into_iter()
-            .flat_map(|q| &q.rows)
-    };
+    let question = sweep.questions.get(sweep.charted);
+    let rows = || question.into_iter().flat_map(|q| &q.rows);
     let measure = report
         .errors
         .first()
@@ -135,15 +129,15 @@ fn against_cost(report: &Report, sweep: &Measured) -> Chart {
             row.setting.to_string()
         }
     };
-    let front = shown(front(report, rows().collect()).into_iter(), error, floor)
+    let front = shown(rows().filter(|row| row.on_front), error, floor)
         .map(|(row, error)| (name(row), (row.ratio, error)));
-    let inputs = sweep.questions.get(sweep.charted).map_or("", |q| &q.inputs);
+    let inputs = question.map_or("", |q| &q.inputs);
     let baseline = rows().next().map_or("", |row| row.technique);
     Chart {
         id: format!("trade/{}/{}-cost", report.study, sweep.name),
         title: format!("{}: {measure} against time, {inputs}", report.summary),
         x: Axis::new(
-            format!("time a {} / {baseline}'s", report.unit),
+            format!("time a {} / that of {baseline}", report.unit),
             "",
             Scale::Log,
         ),
@@ -153,38 +147,8 @@ fn against_cost(report: &Report, sweep: &Measured) -> Chart {
     }
 }
 
-/// The cases that nothing beats in both time and error. Of cases that err alike with the knob at one setting only those
-/// with the fewest faults in the whole study can be among them: what leaves gaps elsewhere is not the one to choose for
-/// a few hundredths of the time.
-fn front<'a>(report: &Report, rows: Vec<&'a Row>) -> Vec<&'a Row> {
-    let faults = |row: &Row| -> u64 {
-        let everywhere = report
-            .sweeps
-            .iter()
-            .flat_map(|sweep| sweep.rows_of(row.technique));
-        let numbers = everywhere.flat_map(|row| &row.faults).map(|fault| fault.1);
-        numbers.fold(0, u64::saturating_add)
-    };
-    let is_soundest = |row: &&Row| {
-        let alike = |other: &&&Row| other.setting == row.setting && other.error == row.error;
-        let twins = rows.iter().filter(alike);
-        twins
-            .map(|other| faults(other))
-            .min()
-            .is_none_or(|least| faults(row) <= least)
-    };
-    let sound: Vec<&Row> = rows.iter().copied().filter(is_soundest).collect();
-    let points: Vec<_> = sound.iter().map(|row| (row.ratio, row.error)).collect();
-    let marked = sound.into_iter().zip(pareto::front(&points));
-    marked.filter(|(_, on)| *on).map(|(row, _)| row).collect()
-}
-
-fn rows(sweep: &Measured) -> impl Iterator<Item = &Row> {
-    sweep.questions.iter().flat_map(|q| &q.rows)
-}
-
 fn knob_axis(sweep: &Measured) -> Axis {
-    Axis::new(sweep.knob, "", scale(rows(sweep).map(|row| row.setting)))
+    Axis::new(sweep.knob, "", scale(sweep.rows().map(|row| row.setting)))
 }
 
 /// By the knob, whatever is easy or hard: a curve's name stands at its right end, where there is room for it.

@@ -67,7 +67,7 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
         )
     });
     let far_ends = (0..=12).map(|k| {
-        let distance = (0..k).fold(1.0, |power, _| 10.0 * power);
+        let distance = libm::exp10(f64::from(k));
         let scene = Rc::new(Scene::far_ends(distance, segments));
         question(
             format!(
@@ -161,101 +161,4 @@ fn question(inputs: String, k: f64, scene: &Rc<Scene>) -> Question {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::deviation::Deviation;
-    use crate::run::judge;
-    use ombra_math::work::Work;
-
-    type Judged = Vec<(&'static str, &'static str, f64, Work, Deviation)>;
-
-    fn judged() -> Judged {
-        let sweeps = sweeps(Effort::Quick);
-        let numbers = judge(STUDY.id, &sweeps, &mut |_| ()).unwrap();
-        let cases = sweeps.iter().flat_map(|s| {
-            let cases = s.questions.iter().flat_map(|q| &q.cases);
-            cases.map(|case| (s.name, case))
-        });
-        cases
-            .zip(numbers)
-            .map(|((sweep, case), (work, verdict))| {
-                (sweep, case.technique, case.setting, work, verdict.deviation)
-            })
-            .collect()
-    }
-
-    const EXACT: [&str; 4] = ["direct", "Cohen–Sutherland", "Liang–Barsky", "Cyrus–Beck"];
-
-    #[test]
-    fn errors_and_counts() {
-        let rows = judged();
-        assert_eq!(rows.len(), (11 + 13) * 6);
-        for (sweep, technique, k, work, deviation) in &rows {
-            let context = format!("{sweep} {technique} {k:e}: {deviation:?}, {work}");
-            assert_eq!(deviation.asked, 400, "{context}");
-            if EXACT.contains(technique) {
-                assert_eq!(deviation.missing, 0, "{context}");
-                // Half an ulp of coordinates below 16, over a window of 10.2.
-                assert!(deviation.max <= 2f64.powi(-50) / 10.0, "{context}");
-                // Nothing crosses the border where all ends are inside.
-                assert!(work.divisions <= 4 * 400, "{context}");
-            } else {
-                // A cut errs by a few roundings of the ends; the second cut of a flat segment by its slope times that.
-                assert!(
-                    deviation.max <= 1e3 * k.max(1.0) * f64::EPSILON,
-                    "{context}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn who_is_outside_costs_no_intersection() {
-        let rows = judged();
-        let divisions = |technique, k| {
-            let row = rows
-                .iter()
-                .find(|r| (r.0, r.1, r.2) == ("outside", technique, k));
-            row.unwrap().3.divisions
-        };
-        for technique in EXACT {
-            let (all_in, all_out) = (divisions(technique, 0.0), divisions(technique, 1.0));
-            assert!(
-                all_in > 0 && all_out < all_in,
-                "{technique}: {all_in}, {all_out}"
-            );
-        }
-        // Of what is outside, Liang–Barsky intersects nothing; the direct method tries every side that is crossed.
-        assert_eq!(divisions("Liang–Barsky", 1.0), 0);
-        for k in [0.0, 0.5, 1.0] {
-            assert!(divisions("direct", k) > divisions("Liang–Barsky", k));
-        }
-    }
-
-    #[test]
-    fn textbook_forms_lose_a_digit_for_every_digit_of_distance() {
-        let rows = judged();
-        for (_, technique, k, _, deviation) in rows.iter().filter(|r| r.0 == "far-ends") {
-            if technique.starts_with("textbook") && (1e2..=1e10).contains(k) {
-                // Ends of k are rounded to k ε, so differences of them are too.
-                assert!(
-                    deviation.max >= 0.05 * k * f64::EPSILON,
-                    "{technique} {k:e}: {deviation:?}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn the_study_says_what_exactness_costs() {
-        let report = crate::run::run(&STUDY, Effort::Quick, &mut |_| ()).unwrap();
-        let said = &report.advice;
-        assert!(said.starts_with("For ends rounded once use "), "{said}");
-        assert!(said.contains("textbook L–B"), "{said}");
-        assert!(said.ends_with('.') && !said.contains(". "), "{said}");
-        let charts = report
-            .charts(&ombra_figures::style::Style::default())
-            .unwrap();
-        assert_eq!(charts.len(), 6);
-    }
-}
+mod tests;

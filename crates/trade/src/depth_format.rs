@@ -37,8 +37,9 @@ use ombra_math::work::Work;
 
 use crate::advice::power_of_ten;
 use crate::depth_format::advice::advice;
-use crate::depth_format::tiles::{Answer, Tiles, Together};
+use crate::depth_format::tiles::{Tiles, Together};
 use crate::deviation::Measure;
+use crate::hidden::Answer;
 use crate::study::{Case, Effort, Question, Study, Sweep};
 
 /// The study.

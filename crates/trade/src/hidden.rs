@@ -5,7 +5,9 @@ mod truth;
 
 use ombra_hsr::picture::{IdBuffer, NOTHING, PictureError, paint_counted, polygons};
 use ombra_hsr::polygon::Polygon;
-use ombra_hsr::z_buffer::{Colours, Cull, Depth24, DepthBuffer, Options, draw_counted};
+use ombra_hsr::z_buffer::{
+    Colours, Cull, Depth24, DepthBuffer, DepthFormat, Options, draw_counted,
+};
 use ombra_hsr::{image_space, object_space, painter};
 use ombra_math::camera::Camera;
 use ombra_math::glam::{DVec3, DVec4};
@@ -42,6 +44,35 @@ pub struct Scene {
 
 /// A picture of primitives' numbers; `None` where a method refuses.
 pub type Answer = Option<IdBuffer>;
+
+/// The z-buffer with depths of format `F`: the number of the triangle at each pixel.
+pub fn draw<F: DepthFormat>(
+    mesh: &Mesh,
+    camera: &Camera,
+    numbers: &[Luma<u32>],
+    cull: Cull,
+    work: &mut impl Count,
+) -> Answer {
+    let Viewport { width, height } = camera.viewport;
+    let mut picture: IdBuffer = buffers::new(width, height, Luma([NOTHING])).ok()?;
+    let mut depth: DepthBuffer<F> = DepthBuffer::new(width, height).ok()?;
+    let colours = Colours::PerTriangle(numbers);
+    let options = Options {
+        cull,
+        ..Options::default()
+    };
+    draw_counted(
+        mesh,
+        camera,
+        colours,
+        options,
+        &mut picture,
+        &mut depth,
+        work,
+    )
+    .ok()?;
+    Some(picture)
+}
 
 impl Scene {
     /// Of a mesh in a picture of side × side pixels; positions are moved to multiples of 2⁻¹⁶.
@@ -93,25 +124,7 @@ impl Scene {
         cull: Cull,
         work: &mut impl Count,
     ) -> Answer {
-        let Viewport { width, height } = self.camera.viewport;
-        let mut picture: IdBuffer = buffers::new(width, height, Luma([NOTHING])).ok()?;
-        let mut depth: DepthBuffer<Depth24> = DepthBuffer::new(width, height).ok()?;
-        let options = Options {
-            cull,
-            ..Options::default()
-        };
-        let colours = Colours::PerTriangle(numbers);
-        draw_counted(
-            mesh,
-            &self.camera,
-            colours,
-            options,
-            &mut picture,
-            &mut depth,
-            work,
-        )
-        .ok()?;
-        Some(picture)
+        draw::<Depth24>(mesh, &self.camera, numbers, cull, work)
     }
 
     /// Every ray with every primitive.

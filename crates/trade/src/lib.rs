@@ -84,6 +84,7 @@ pub mod advice;
 mod charts;
 pub mod clip_polygon;
 pub mod clip_segment;
+mod clipping;
 pub mod culling;
 pub mod depth_format;
 pub mod deviation;

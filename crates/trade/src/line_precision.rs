@@ -110,39 +110,18 @@ fn question(length: u32, segments: &Rc<Segments>) -> Question {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deviation::Deviation;
-    use crate::run::judge;
-    use ombra_math::work::Work;
-
-    /// Errors and counts of a quick run, without times: technique, length, segments, …
-    fn judged() -> Vec<(&'static str, f64, usize, Work, Deviation)> {
-        let sweeps = sweeps(Effort::Quick);
-        let numbers = judge(STUDY.id, &sweeps, &mut |_| ()).unwrap();
-        let cases = sweeps.iter().flat_map(|s| {
-            s.questions
-                .iter()
-                .flat_map(|q| q.cases.iter().map(move |c| (q.units, c)))
-        });
-        cases
-            .zip(numbers)
-            .map(|((units, case), (work, verdict))| {
-                (case.technique, case.setting, units, work, verdict.deviation)
-            })
-            .collect()
-    }
+    use crate::run::judged::judged;
 
     #[test]
     fn what_is_right_how_long_and_at_what_work() {
-        let rows = judged();
+        let rows = judged(&STUDY);
         assert_eq!(rows.len(), 7 * 4);
-        for &(technique, length, pixels, work, deviation) in &rows {
-            let context = format!("{technique} {length}: {deviation:?}, {work}");
-            assert_eq!(
-                (deviation.asked, deviation.missing),
-                (pixels, 0),
-                "{context}"
-            );
-            let pixels = pixels as u64;
+        for row in &rows {
+            let (technique, length) = (row.technique, row.setting);
+            let (work, deviation, context) = (row.work, row.deviation, row.context());
+            let answered = (deviation.asked, deviation.missing);
+            assert_eq!(answered, (row.units, 0), "{context}");
+            let pixels = row.units as u64;
             let segments = pixels / (length as u64 + 1);
             let rounded = if technique == "Bresenham" { 0 } else { pixels };
             assert_eq!(work.roundings, rounded, "{context}");
@@ -173,8 +152,10 @@ mod tests {
             }
         }
         let f32_at = |k| {
-            let row = rows.iter().find(|row| row.0 == "DDA f32" && row.1 == k);
-            row.map(|row| (row.4.max, row.4.wrong_share())).unwrap()
+            let mut rows = rows.iter();
+            let row = rows.find(|row| row.technique == "DDA f32" && row.setting == k);
+            row.map(|row| (row.deviation.max, row.deviation.wrong_share()))
+                .unwrap()
         };
         // u = 2⁻²⁴: the errors of 10⁴ sums reach 10⁸ u = 6 pixels if all go one way, those of 10⁷ millions.
         assert!(f32_at(1e3).1 > 0.0 && f32_at(1e3).0 == 1.0);

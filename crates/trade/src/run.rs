@@ -1,6 +1,7 @@
 //! Runs a study: first errors and counted work, then times in interleaved rounds.
 
 use core::fmt;
+use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use ombra_math::work::Work;
@@ -74,11 +75,7 @@ pub fn run(
     };
     tell(Stage::Inputs, 0, 0);
     let sweeps = (study.sweeps)(effort);
-    let cases: usize = sweeps
-        .iter()
-        .flat_map(|s| &s.questions)
-        .map(|q| q.cases.len())
-        .sum();
+    let cases = cases(&sweeps).count();
     // A step judges one case, or times one.
     let total = cases * (1 + effort.rounds());
     let judged = judge(study.id, &sweeps, &mut |done| {
@@ -87,7 +84,8 @@ pub fn run(
     let times = time(&sweeps, effort, &mut |done| {
         tell(Stage::Times, cases + done, total)
     });
-    let measured = assemble(&sweeps, study.errors, judged.into_iter().zip(times));
+    let mut measured = assemble(&sweeps, study.errors, judged.into_iter().zip(times));
+    mark_fronts(&mut measured);
     let advice = (study.advice)(&measured);
     Ok(Report {
         study: study.id,
@@ -221,9 +219,13 @@ fn assemble(
         questions: sweep
             .questions
             .iter()
-            .map(|question| {
-                let rows = question.cases.iter().zip(&mut numbers);
-                let mut rows: Vec<_> = rows
+            .map(|question| Answered {
+                inputs: question.inputs.clone(),
+                units: question.units,
+                rows: question
+                    .cases
+                    .iter()
+                    .zip(&mut numbers)
                     .map(|(case, ((work, verdict), time))| Row {
                         technique: case.technique,
                         setting: case.setting,
@@ -237,201 +239,38 @@ fn assemble(
                         ratio: time.ratio,
                         on_front: false,
                     })
-                    .collect();
-                let points: Vec<_> = rows.iter().map(|row| (row.ratio, row.error)).collect();
-                for (row, on_front) in rows.iter_mut().zip(pareto::front(&points)) {
-                    row.on_front = on_front;
-                }
-                Answered {
-                    inputs: question.inputs.clone(),
-                    units: question.units,
-                    rows,
-                }
+                    .collect(),
             })
             .collect(),
     });
     sweeps.collect()
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::deviation::Deviation;
-    use crate::study::Question;
-    use ombra_math::work::{Count, Counter};
-    use std::collections::BTreeSet;
-    use std::rc::Rc;
-
-    /// n sums, of which one is wrong by 1.
-    fn sums(n: &u64, work: &mut impl Count) -> Vec<u64> {
-        (0..*n)
-            .map(|i| {
-                work.add(Counter::Additions, 1);
-                i + u64::from(i == 0)
-            })
-            .collect()
+/// Marks each question's front, among the rows whose twins have no fewer faults.
+fn mark_fronts(sweeps: &mut [Measured]) {
+    let mut faults: BTreeMap<&str, u64> = BTreeMap::new();
+    for row in sweeps.iter().flat_map(Measured::rows) {
+        let number = row.faults.iter().map(|fault| fault.1).sum();
+        let all = faults.entry(row.technique).or_default();
+        *all = all.saturating_add(number);
     }
-
-    fn sweeps(_: Effort) -> Vec<Sweep> {
-        let judge = |_: &u64, sums: &Vec<u64>| {
-            Deviation::of(
-                sums.iter()
-                    .enumerate()
-                    .map(|(i, &sum)| Some(sum as f64 - i as f64)),
-            )
+    let faults = |row: &Row| faults.get(row.technique).copied().unwrap_or(0);
+    for question in sweeps.iter_mut().flat_map(|sweep| &mut sweep.questions) {
+        let is_sound = |row: &Row| {
+            let is_twin = |other: &&Row| other.setting == row.setting && other.error == row.error;
+            let mut twins = question.rows.iter().filter(is_twin);
+            twins.all(|twin| faults(row) <= faults(twin))
         };
-        let question = |n: u64| Question {
-            inputs: format!("{n} sums"),
-            units: n as usize,
-            cases: vec![
-                Case::new(
-                    "once",
-                    n as f64,
-                    &Rc::new(n),
-                    |n| sums(n, &mut ()),
-                    sums,
-                    judge,
-                ),
-                Case::new(
-                    "none",
-                    n as f64,
-                    &Rc::new(n),
-                    |_| vec![],
-                    |_, _| vec![],
-                    judge,
-                ),
-            ],
-        };
-        vec![
-            Sweep {
-                name: "first",
-                knob: "n",
-                questions: vec![question(4), question(5)],
-                charted: 0,
-            },
-            Sweep {
-                name: "second",
-                knob: "n",
-                questions: vec![question(6)],
-                charted: 0,
-            },
-        ]
-    }
-
-    const STUDY: Study = Study {
-        id: "sums",
-        summary: "sums",
-        unit: "sum",
-        errors: &[Measure::Largest("error")],
-        charted_work: &[],
-        sweeps,
-        advice: |measured| format!("{} sweeps.", measured.len()),
-    };
-
-    #[test]
-    fn numbers_reach_their_own_rows_and_progress_its_end() {
-        let mut seen = Vec::new();
-        let report = run(&STUDY, Effort::Quick, &mut |progress| seen.push(progress)).unwrap();
-        let rows: Vec<_> = report
-            .sweeps
-            .iter()
-            .flat_map(|s| &s.questions)
-            .flat_map(|q| &q.rows)
-            .collect();
-        let found: Vec<_> = rows
-            .iter()
-            .map(|r| (r.technique, r.setting, r.work.additions, r.deviation.asked))
-            .collect();
-        assert_eq!(
-            found,
-            [
-                ("once", 4.0, 4, 4),
-                ("none", 4.0, 0, 0),
-                ("once", 5.0, 5, 5),
-                ("none", 5.0, 0, 0),
-                ("once", 6.0, 6, 6),
-                ("none", 6.0, 0, 0)
-            ]
-        );
-        assert!(
-            rows.iter()
-                .all(|row| row.nanoseconds.median > 0.0 && row.ratio > 0.0)
-        );
-        // A time over itself.
-        assert!(
-            rows.iter()
-                .filter(|row| row.technique == "once")
-                .all(|row| row.ratio == 1.0)
-        );
-        // Who answers nothing is never on the front, however quick.
-        assert_eq!(
-            rows.iter().map(|row| row.on_front).collect::<Vec<_>>(),
-            [true, false].repeat(3)
-        );
-        assert_eq!(report.advice, "2 sweeps.");
-        assert_eq!(seen.len(), 1 + 6 + 6 * Effort::Quick.rounds());
-        assert_eq!(
-            seen.last().map(|p| (p.stage, p.done, p.total)),
-            Some((Stage::Times, 48, 48))
-        );
-        assert!(
-            seen.iter()
-                .zip(seen.iter().skip(1))
-                .all(|(a, b)| a.done < b.done && a.stage as u8 <= b.stage as u8)
-        );
-    }
-
-    #[test]
-    fn every_effort_has_at_least_five_rounds() {
-        assert!(Effort::Quick.rounds() >= 5 && Effort::Full.rounds() > Effort::Quick.rounds());
-    }
-
-    #[test]
-    fn each_round_runs_every_case_once_and_begins_elsewhere() {
-        let sizes = [3, 1, 2, 0, 4];
-        let all: BTreeSet<_> = (0..5)
-            .flat_map(|q| (0..sizes[q]).map(move |c| (q, c)))
-            .collect();
-        for round in 0..12 {
-            let cases: Vec<_> = order(round, &sizes).collect();
-            assert_eq!(cases.len(), all.len());
-            assert_eq!(cases.iter().copied().collect::<BTreeSet<_>>(), all);
+        // A point with NaN in it is never on the front, and beats none.
+        let point = |row: &Row| (if is_sound(row) { row.ratio } else { f64::NAN }, row.error);
+        let front = pareto::front(&question.rows.iter().map(point).collect::<Vec<_>>());
+        for (row, on_front) in question.rows.iter_mut().zip(front) {
+            row.on_front = on_front;
         }
-        let firsts: BTreeSet<_> = (0..12)
-            .filter_map(|round| order(round, &[3, 3]).next())
-            .collect();
-        assert_eq!(firsts.len(), 6);
-        assert_eq!(order(3, &[]).count(), 0);
-    }
-
-    #[test]
-    fn answers_that_change_when_counted_are_an_error() {
-        let judge = |_: &(), _: &i32| Deviation::of([Some(0.0)]);
-        let case = Case::new("sly", 2.0, &Rc::new(()), |()| 1, |(), _| 2, judge);
-        let question = Question {
-            inputs: String::new(),
-            units: 1,
-            cases: vec![case],
-        };
-        let sweeps = [Sweep {
-            name: "",
-            knob: "",
-            questions: vec![question],
-            charted: 0,
-        }];
-        let error = judge_error(&sweeps);
-        assert_eq!(
-            error,
-            TradeError::Differs {
-                study: "s",
-                technique: "sly",
-                setting: 2.0
-            }
-        );
-        assert!(error.to_string().contains("'sly' at 2e0"), "{error}");
-    }
-
-    fn judge_error(sweeps: &[Sweep]) -> TradeError {
-        judge("s", sweeps, &mut |_| ()).unwrap_err()
     }
 }
+
+#[cfg(test)]
+pub(crate) mod judged;
+#[cfg(test)]
+mod tests;

@@ -150,43 +150,27 @@ fn by_cover(snapped: &Snapped, work: &mut impl Count) -> Owners {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deviation::Verdict;
-    use crate::run::judge;
-    use ombra_math::work::Work;
+    use crate::run::judged::{Judged, judged};
 
-    fn judged(sweep: usize) -> Vec<(&'static str, f64, Work, Verdict)> {
-        let sweeps = sweeps(Effort::Quick);
-        let sweeps = &sweeps[sweep..=sweep];
-        let numbers = judge(STUDY.id, sweeps, &mut |_| ()).unwrap();
-        let cases = sweeps
-            .iter()
-            .flat_map(|s| &s.questions)
-            .flat_map(|q| &q.cases);
-        cases
-            .zip(numbers)
-            .map(|(case, (work, verdict))| (case.technique, case.setting, work, verdict))
-            .collect()
-    }
-
-    fn faults(verdict: &Verdict) -> [u64; 3] {
+    fn faults(row: &Judged) -> [u64; 3] {
         ["gaps", "overlaps", "other owner"].map(|kind| {
-            let fault = verdict.faults.iter().find(|(name, _)| *name == kind);
+            let fault = row.faults.iter().find(|(name, _)| *name == kind);
             fault.unwrap().1
         })
     }
 
     #[test]
     fn one_rule_leaves_no_gap_and_no_overlap() {
-        let rows = [judged(0), judged(1)].concat();
+        let rows = judged(&STUDY);
         assert_eq!(rows.len(), 2 * 5 * 4);
         let pixels = 192 * 192;
-        for (technique, bits, work, verdict) in &rows {
-            let [gaps, overlaps, others] = faults(verdict);
-            let context = format!("{technique} {bits}: {verdict:?} {work}");
-            assert_eq!(verdict.deviation.asked, pixels, "{context}");
-            assert_eq!(gaps + overlaps + others, verdict.deviation.wrong as u64);
+        for row in &rows {
+            let [gaps, overlaps, others] = faults(row);
+            let (work, context) = (row.work, row.context());
+            assert_eq!(row.deviation.asked, pixels, "{context}");
+            assert_eq!(gaps + overlaps + others, row.deviation.wrong as u64);
             let fragments = pixels as u64 - gaps;
-            match *technique {
+            match row.technique {
                 "cover" | "top-left" => {
                     assert_eq!((gaps, overlaps), (0, 0), "{context}");
                     assert_eq!(work.fragments, fragments, "{context}");
@@ -205,37 +189,40 @@ mod tests {
 
     #[test]
     fn bits_move_edges_and_rules_decide_on_them() {
-        let (rows, halves) = (judged(0), judged(1));
+        let (halves, rows): (Vec<_>, Vec<_>) = judged(&STUDY)
+            .into_iter()
+            .partition(|row| row.sweep == "halves");
         let find = |technique, bits: f64| {
-            let row = rows.iter().find(|row| row.0 == technique && row.1 == bits);
-            row.unwrap()
+            let mut rows = rows.iter();
+            rows.find(|row| row.technique == technique && row.setting == bits)
+                .unwrap()
         };
         // As given, nothing is wrong; `cover` and edge functions agree at any number of bits.
         for bits in [0.0, 4.0, 8.0, 12.0, 16.0] {
             let (cover, top_left) = (find("cover", bits), find("top-left", bits));
-            assert_eq!(cover.3, top_left.3);
-            let wrong = cover.3.deviation.wrong;
+            assert_eq!(cover.deviation, top_left.deviation);
+            assert_eq!(cover.faults, top_left.faults);
+            let (wrong, context) = (cover.deviation.wrong, cover.context());
             assert!(
                 if bits < 12.0 { wrong > 0 } else { wrong < 10 },
-                "{:?}",
-                cover.3
+                "{context}"
             );
-            assert!(bits < 16.0 || wrong == 0, "{:?}", cover.3);
+            assert!(bits < 16.0 || wrong == 0, "{context}");
             // Who is neither in nor out is what both rules disagree on.
             let (twice, never) = (find("both inclusive", bits), find("no rule", bits));
-            assert_eq!(faults(&twice.3)[1], faults(&never.3)[0], "{bits}");
+            assert_eq!(faults(twice)[1], faults(never)[0], "{bits}");
         }
         // An edge moves by half a unit at most, a quarter of one on average, and 16 times less with 4 bits more.
-        let wrong = |bits| find("cover", bits).3.deviation.wrong as f64;
+        let wrong = |bits| find("cover", bits).deviation.wrong as f64;
         assert!((8.0..32.0).contains(&(wrong(0.0) / wrong(4.0))));
         assert!((8.0..32.0).contains(&(wrong(4.0) / wrong(8.0))));
-        assert!(faults(&find("both inclusive", 4.0).3)[1] > 0);
-        for (technique, bits, _, verdict) in halves.iter().filter(|row| row.1 >= 4.0) {
+        assert!(faults(find("both inclusive", 4.0))[1] > 0);
+        for row in halves.iter().filter(|row| row.setting >= 4.0) {
             // Halves stay where they are. Both ends of an edge on centres, or a slope of 1, are no rare thing.
-            let share = verdict.deviation.wrong_share();
-            match *technique {
-                "cover" | "top-left" => assert_eq!(share, 0.0, "{technique} {bits}"),
-                _ => assert!(share > 0.02, "{technique} {bits}: {share}"),
+            let (share, context) = (row.deviation.wrong_share(), row.context());
+            match row.technique {
+                "cover" | "top-left" => assert_eq!(share, 0.0, "{context}"),
+                _ => assert!(share > 0.02, "{context}"),
             }
         }
     }
@@ -244,7 +231,7 @@ mod tests {
     fn the_study_says_what_a_bit_costs() {
         let report = crate::run::run(&STUDY, Effort::Quick, &mut |_| ()).unwrap();
         let said = &report.advice;
-        assert!(said.contains("no pixel twice and none never"), "{said}");
+        assert!(said.contains("every pixel is drawn exactly once"), "{said}");
         assert!(said.ends_with('.') && !said.contains(". "), "{said}");
         assert!(
             report

@@ -5,15 +5,11 @@ use core::f64::consts::TAU;
 use ombra_clip::Window;
 use ombra_math::glam::{DVec2, Vec2};
 
+use crate::clipping::{WINDOW, exact, middle, size};
 use crate::deviation::{Deviation, Verdict};
 use crate::exact::Exact;
 use crate::random::Random;
 
-/// Of no round size, so that nothing is exact by chance.
-const WINDOW: Window = Window {
-    min: DVec2::new(0.1, 0.3),
-    max: DVec2::new(10.3, 10.1),
-};
 /// Where quotients are cut off.
 const BITS: u32 = 300;
 
@@ -30,7 +26,7 @@ impl Scene {
     /// `number` polygons of `vertices` each round the middle of the window.
     pub fn stars(vertices: usize, number: usize) -> Self {
         let mut random = Random::new(1974);
-        let middle = 0.5 * (WINDOW.min + WINDOW.max);
+        let middle = middle();
         let star = |_| {
             let corner = |i: usize| {
                 let angle = TAU * (i as f64 + random.between(0.0, 0.3)) / vertices as f64;
@@ -45,8 +41,8 @@ impl Scene {
     /// Stars with every other vertex up to `distance` times the window's size away.
     pub fn far_stars(distance: f64, vertices: usize, number: usize) -> Self {
         let mut random = Random::new(1984);
-        let middle = 0.5 * (WINDOW.min + WINDOW.max);
-        let size = (WINDOW.max - WINDOW.min).max_element();
+        let middle = middle();
+        let size = size();
         let star = |_| {
             let corner = |i: usize| {
                 let angle = TAU * (i as f64 + random.between(0.0, 0.3)) / vertices as f64;
@@ -233,10 +229,6 @@ fn area_below(window: &Window, left: DVec2, right: DVec2) -> Option<Exact> {
     let difference = &twice(above_low(&to)) - &twice(above_low(&from));
     let over = &dx * &(&dy + &dy);
     difference.quotient(&over, BITS)
-}
-
-fn exact(p: DVec2) -> Option<[Exact; 2]> {
-    Some([Exact::of(p.x)?, Exact::of(p.y)?])
 }
 
 #[cfg(test)]

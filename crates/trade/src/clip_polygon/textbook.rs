@@ -1,5 +1,7 @@
 //! Sutherland–Hodgman as textbooks write it: four passes, each crossing by a rounded parameter.
 
+use core::ops::{Div, Sub};
+
 use ombra_clip::Window;
 use ombra_math::glam::{DVec2, Vec2};
 use ombra_math::work::{Count, Counter};
@@ -7,68 +9,50 @@ use ombra_math::work::{Count, Counter};
 /// In doubles.
 pub fn in_f64(window: &Window, polygon: &[DVec2], work: &mut impl Count) -> Vec<DVec2> {
     let Window { min, max } = *window;
-    let lerp = |a: DVec2, b: DVec2, t: f64| a + t * (b - a);
-    let left = pass(
-        polygon,
-        |p| p.x - min.x,
-        |a, b, s, r| lerp(a, b, s / (s - r)),
-        work,
+    let sides = (
+        |p: DVec2| p.x - min.x,
+        |p: DVec2| max.x - p.x,
+        |p: DVec2| p.y - min.y,
+        |p: DVec2| max.y - p.y,
     );
-    let right = pass(
-        &left,
-        |p| max.x - p.x,
-        |a, b, s, r| lerp(a, b, s / (s - r)),
-        work,
-    );
-    let below = pass(
-        &right,
-        |p| p.y - min.y,
-        |a, b, s, r| lerp(a, b, s / (s - r)),
-        work,
-    );
-    pass(
-        &below,
-        |p| max.y - p.y,
-        |a, b, s, r| lerp(a, b, s / (s - r)),
-        work,
-    )
+    in_four_passes(polygon, sides, |a, b, t| a + t * (b - a), work)
 }
 
 /// In f32.
 pub fn in_f32(window: &Window, polygon: &[Vec2], work: &mut impl Count) -> Vec<Vec2> {
     let (min, max) = (window.min.as_vec2(), window.max.as_vec2());
-    let lerp = |a: Vec2, b: Vec2, t: f32| a + t * (b - a);
-    let left = pass(
-        polygon,
-        |p| p.x - min.x,
-        |a, b, s, r| lerp(a, b, s / (s - r)),
-        work,
+    let sides = (
+        |p: Vec2| p.x - min.x,
+        |p: Vec2| max.x - p.x,
+        |p: Vec2| p.y - min.y,
+        |p: Vec2| max.y - p.y,
     );
-    let right = pass(
-        &left,
-        |p| max.x - p.x,
-        |a, b, s, r| lerp(a, b, s / (s - r)),
-        work,
-    );
-    let below = pass(
-        &right,
-        |p| p.y - min.y,
-        |a, b, s, r| lerp(a, b, s / (s - r)),
-        work,
-    );
-    pass(
-        &below,
-        |p| max.y - p.y,
-        |a, b, s, r| lerp(a, b, s / (s - r)),
-        work,
-    )
+    in_four_passes(polygon, sides, |a, b, t| a + t * (b - a), work)
 }
 
-/// What lies where `side` is not negative.
-fn pass<V: Copy, T: Copy + Default + PartialOrd>(
+/// Against one side after another; a side's function is not negative in the window.
+fn in_four_passes<V: Copy, T: Copy + Default + PartialOrd + Sub<Output = T> + Div<Output = T>>(
+    polygon: &[V],
+    sides: (
+        impl Fn(V) -> T,
+        impl Fn(V) -> T,
+        impl Fn(V) -> T,
+        impl Fn(V) -> T,
+    ),
+    at: impl Fn(V, V, T) -> V,
+    work: &mut impl Count,
+) -> Vec<V> {
+    let right_of_left = pass(polygon, sides.0, &at, work);
+    let between = pass(&right_of_left, sides.1, &at, work);
+    let above_bottom = pass(&between, sides.2, &at, work);
+    pass(&above_bottom, sides.3, &at, work)
+}
+
+/// What lies where `side` is not negative; `at` is the point at parameter t of an edge.
+fn pass<V: Copy, T: Copy + Default + PartialOrd + Sub<Output = T> + Div<Output = T>>(
     polygon: &[V],
     side: impl Fn(V) -> T,
-    cut: impl Fn(V, V, T, T) -> V,
+    at: impl Fn(V, V, T) -> V,
     work: &mut impl Count,
 ) -> Vec<V> {
     let mut kept = Vec::with_capacity(polygon.len() + 4);
@@ -85,7 +69,7 @@ fn pass<V: Copy, T: Copy + Default + PartialOrd>(
             work.add(Counter::Divisions, 1);
             work.add(Counter::Multiplications, 2);
             work.add(Counter::Additions, 5);
-            kept.push(cut(a, b, side_a, side_b));
+            kept.push(at(a, b, side_a / (side_a - side_b)));
         }
         if side_b >= zero {
             kept.push(b);

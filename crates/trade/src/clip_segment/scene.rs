@@ -5,15 +5,10 @@ use core::cmp::Ordering;
 use ombra_clip::{Segment, Window};
 use ombra_math::glam::DVec2;
 
+use crate::clipping::{WINDOW, exact, middle, size};
 use crate::deviation::Deviation;
 use crate::exact::Exact;
 use crate::random::Random;
-
-/// Of no round size, so that nothing is exact by chance.
-const WINDOW: Window = Window {
-    min: DVec2::new(0.1, 0.3),
-    max: DVec2::new(10.3, 10.1),
-};
 
 /// What a technique leaves of each segment.
 pub type Clipped = Vec<Option<Segment>>;
@@ -62,8 +57,8 @@ impl Scene {
 
     /// Segments through the window or close to it, in any direction, with ends up to `distance` times its size away.
     pub fn far_ends(distance: f64, number: usize) -> Self {
-        let size = (WINDOW.max - WINDOW.min).max_element();
-        let middle = 0.5 * (WINDOW.min + WINDOW.max);
+        let size = size();
+        let middle = middle();
         let mut random = Random::new(1984);
         let mut scene = Self::empty();
         for _ in 0..number {
@@ -98,7 +93,7 @@ impl Scene {
 
     /// The errors of answers, in window sizes.
     pub fn deviation(&self, clipped: &Clipped) -> Deviation {
-        let size = Exact::of((WINDOW.max - WINDOW.min).max_element());
+        let size = Exact::of(size());
         let answers = clipped.iter().map(Some).chain(core::iter::repeat(None));
         Deviation::of(self.truths.iter().zip(answers).map(|(truth, answer)| {
             match (truth, *answer?) {
@@ -154,10 +149,6 @@ impl ExactSegment {
         }
         Some(worst)
     }
-}
-
-fn exact(p: DVec2) -> Option<[Exact; 2]> {
-    Some([Exact::of(p.x)?, Exact::of(p.y)?])
 }
 
 #[cfg(test)]

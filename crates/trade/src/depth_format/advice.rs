@@ -88,36 +88,16 @@ fn last<'a>(sweep: &'a Measured, format: &str, reach: usize) -> Option<&'a Row> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deviation::Deviation;
-    use crate::report::Answered;
-    use crate::statistics::Quartiles;
-    use ombra_math::work::Work;
+    use crate::report::made_up::{self, row};
 
     fn sweep(formats: &[(&'static str, f64, [f64; 3])]) -> Measured {
-        let question = |i: usize| Answered {
-            inputs: String::new(),
-            units: 1,
-            rows: formats
-                .iter()
-                .map(|&(technique, ratio, errors)| Row {
-                    technique,
-                    setting: [0.1, 0.01, 0.001][i],
-                    error: errors[i],
-                    deviation: Deviation::of([Some(errors[i])]),
-                    faults: vec![],
-                    work: Work::default(),
-                    nanoseconds: Quartiles::of(&[ratio]),
-                    ratio,
-                    on_front: false,
-                })
-                .collect(),
+        let question = |i: usize| {
+            let setting = [0.1, 0.01, 0.001][i];
+            let rows = formats.iter();
+            rows.map(|&(format, ratio, errors)| row(format, setting, ratio, Some(errors[i])))
+                .collect()
         };
-        Measured {
-            name: "behind",
-            knob: "",
-            charted: 0,
-            questions: (0..3).map(question).collect(),
-        }
+        made_up::sweep("behind", (0..3).map(question).collect())
     }
 
     #[test]

@@ -2,18 +2,19 @@
 
 use core::cmp::Ordering;
 
-use ombra_hsr::picture::{IdBuffer, NOTHING};
+use ombra_hsr::picture::NOTHING;
 use ombra_hsr::z_buffer::precision::depth_step;
-use ombra_hsr::z_buffer::{Colours, DepthBuffer, DepthFormat, Options, draw_counted};
+use ombra_hsr::z_buffer::{Cull, DepthFormat};
 use ombra_math::camera::Camera;
 use ombra_math::glam::{DVec2, DVec3};
 use ombra_math::mesh::Mesh;
 use ombra_math::view::{Viewport, frustum};
 use ombra_math::work::Count;
-use ombra_raster::buffers::{self, image::Luma};
+use ombra_raster::buffers::image::Luma;
 
 use crate::deviation::{Deviation, Verdict};
 use crate::exact::Exact;
+use crate::hidden::{self, Answer};
 use crate::random::Random;
 
 /// Pixels along a tile.
@@ -63,9 +64,6 @@ pub struct Tiles {
     truth: Vec<Option<Pixel>>,
     pairs: usize,
 }
-
-/// Which of the two surfaces is seen at each pixel.
-pub type Answer = Option<IdBuffer>;
 
 impl Tiles {
     /// `columns` distances from the near plane to the far one, at near / far = `ratio`.
@@ -154,22 +152,7 @@ impl Tiles {
 
     /// The picture, 0 and 1 for the two surfaces.
     pub fn draw<F: DepthFormat>(&self, work: &mut impl Count) -> Answer {
-        let Viewport { width, height } = self.camera.viewport;
-        let mut picture: IdBuffer = buffers::new(width, height, Luma([NOTHING])).ok()?;
-        let mut depth: DepthBuffer<F> = DepthBuffer::new(width, height).ok()?;
-        let colours = Colours::PerTriangle(&self.numbers);
-        let options = Options::default();
-        draw_counted(
-            &self.mesh,
-            &self.camera,
-            colours,
-            options,
-            &mut picture,
-            &mut depth,
-            work,
-        )
-        .ok()?;
-        Some(picture)
+        hidden::draw::<F>(&self.mesh, &self.camera, &self.numbers, Cull::Nothing, work)
     }
 
     /// What is drawn against what is seen.

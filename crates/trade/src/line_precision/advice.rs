@@ -1,6 +1,6 @@
 //! The study's sentence.
 
-use crate::advice::{listed, percent, power_of_ten, times};
+use crate::advice::{extent, listed, percent, power_of_ten, times};
 use crate::report::{Measured, Row};
 
 /// The cheapest technique that is right everywhere, what the others that are cost, and where the rest goes wrong.
@@ -13,13 +13,7 @@ pub fn advice(sweeps: &[Measured]) -> String {
         .into_iter()
         .partition(|technique| sweep.rows_of(technique).all(|row| row.error == 0.0));
     right.sort_by(|a, b| sweep.typical_ratio(a).total_cmp(&sweep.typical_ratio(b)));
-    let longest = sweep
-        .questions
-        .iter()
-        .flat_map(|q| &q.rows)
-        .map(|row| row.setting)
-        .fold(0.0, f64::max);
-    let longest = power_of_ten(longest);
+    let longest = power_of_ten(extent(sweep.rows().map(|row| row.setting)).1);
     let faults: Vec<String> = wrong.iter().map(|name| fault(sweep, name)).collect();
     let Some((best, others)) = right.split_first() else {
         return format!(
@@ -44,16 +38,13 @@ pub fn advice(sweeps: &[Measured]) -> String {
 /// `DDA f32 has wrong pixels from 10³ on (99 % of them at 10⁷, up to 10⁴ beside the right one)`
 fn fault(sweep: &Measured, technique: &str) -> String {
     let is_wrong = |row: &&Row| row.error != 0.0;
-    let from = sweep
-        .rows_of(technique)
-        .find(is_wrong)
-        .map_or(f64::NAN, |row| row.setting);
-    let Some(last) = sweep.rows_of(technique).last() else {
+    let first = sweep.rows_of(technique).find(is_wrong);
+    let (Some(first), Some(last)) = (first, sweep.rows_of(technique).last()) else {
         return String::new();
     };
     format!(
         "{technique} has wrong pixels from {} on ({} of them at {}, up to {} beside the right one)",
-        power_of_ten(from),
+        power_of_ten(first.setting),
         percent(last.deviation.wrong_share()),
         power_of_ten(last.setting),
         last.deviation.max,
@@ -64,38 +55,21 @@ fn fault(sweep: &Measured, technique: &str) -> String {
 mod tests {
     use super::*;
     use crate::deviation::Deviation;
-    use crate::report::Answered;
-    use crate::statistics::Quartiles;
-    use ombra_math::work::Work;
+    use crate::report::made_up;
 
-    fn sweep(errors: &[(&'static str, f64, [[f64; 2]; 2])]) -> Measured {
-        let question = |i: usize| Answered {
-            inputs: String::new(),
-            units: 1,
-            rows: errors
-                .iter()
-                .map(|&(technique, ratio, errors)| {
-                    let deviation = Deviation::of(errors[i].map(Some));
-                    Row {
-                        technique,
-                        setting: [10.0, 1000.0][i],
-                        error: deviation.worst(),
-                        deviation,
-                        faults: vec![],
-                        work: Work::default(),
-                        nanoseconds: Quartiles::of(&[ratio]),
-                        ratio,
-                        on_front: false,
-                    }
-                })
-                .collect(),
+    /// Two pixels of segments of 10 and of 1000 moves.
+    fn sweep(techniques: &[(&'static str, f64, [[f64; 2]; 2])]) -> Measured {
+        let question = |i: usize| {
+            let rows = techniques.iter().map(|&(technique, ratio, errors)| {
+                let deviation = Deviation::of(errors[i].map(Some));
+                Row {
+                    deviation,
+                    ..made_up::row(technique, [10.0, 1000.0][i], ratio, Some(deviation.max))
+                }
+            });
+            rows.collect()
         };
-        Measured {
-            name: "length",
-            knob: "",
-            charted: 0,
-            questions: vec![question(0), question(1)],
-        }
+        made_up::sweep("length", vec![question(0), question(1)])
     }
 
     #[test]

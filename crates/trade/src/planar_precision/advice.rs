@@ -1,6 +1,6 @@
 //! The study's sentence.
 
-use crate::advice::{Stretch, listed, power_of_ten, stretches, times};
+use crate::advice::{Stretch, between, listed, power_of_ten, stretches, times};
 use crate::report::Measured;
 
 /// The error that the advice keeps to.
@@ -37,29 +37,16 @@ pub fn advice(sweeps: &[Measured]) -> String {
     }
 }
 
-/// `cast (49 to 2200 times its time) for a light 10⁶ times as far as high or more`
+/// `cast (49 to 2200 times its time) where the light's distance over its height is 10⁶ to 10¹⁵`
 fn exception(sweep: &Measured, stretch: &Stretch) -> String {
-    let technique = match (stretch.technique, stretch.ratios) {
-        (None, _) => "none that is measured here".to_owned(),
-        (Some(name), (low, high)) if times(low) == times(high) => {
-            format!("{name} ({} times its time)", times(low))
-        }
-        (Some(name), (low, high)) => {
-            format!("{name} ({} to {} times its time)", times(low), times(high))
-        }
-    };
-    let last = sweep
-        .questions
-        .iter()
-        .flat_map(|q| &q.rows)
-        .next_back()
-        .map(|row| row.setting);
-    let (from, to) = (power_of_ten(stretch.from), power_of_ten(stretch.to));
-    let range = match last {
-        Some(last) if last == stretch.to => format!("{from} or more"),
-        _ if from == to => from,
-        _ => format!("{from} to {to}"),
-    };
+    let mut technique = stretch.name().to_owned();
+    if stretch.technique.is_some() {
+        technique = format!(
+            "{technique} ({} times its time)",
+            between(stretch.ratios, times)
+        );
+    }
+    let range = stretch.range(power_of_ten);
     let place = match sweep.name {
         "towards-plane" => format!("where the light's distance over its height is {range}"),
         "to-infinity" => format!("where the light's 1/w is {range}"),
@@ -71,39 +58,18 @@ fn exception(sweep: &Measured, stretch: &Stretch) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deviation::Deviation;
-    use crate::report::{Answered, Row};
-    use crate::statistics::Quartiles;
-    use ombra_math::work::Work;
+    use crate::report::made_up::{self, row};
 
     /// A sweep over 1, 10, 100, … with the errors of a technique that takes 1 and one that takes 40.
     fn sweep(name: &'static str, errors: &[(f64, f64)]) -> Measured {
         let question = |(i, &(quick, slow)): (usize, &(f64, f64))| {
-            let row = |technique, ratio, error| Row {
-                technique,
-                setting: 10f64.powi(i as i32),
-                error,
-                deviation: Deviation::of([Some(error)]),
-                faults: vec![],
-                work: Work::default(),
-                nanoseconds: Quartiles::of(&[ratio]),
-                ratio,
-                on_front: false,
-            };
-            let rows = vec![row("quick", 1.0, quick), row("slow", 40.0 + i as f64, slow)];
-            Answered {
-                inputs: String::new(),
-                units: 1,
-                rows,
-            }
+            let k = 10f64.powi(i as i32);
+            vec![
+                row("quick", k, 1.0, Some(quick)),
+                row("slow", k, 40.0 + i as f64, Some(slow)),
+            ]
         };
-        let questions = errors.iter().enumerate().map(question).collect();
-        Measured {
-            name,
-            knob: "",
-            charted: 0,
-            questions,
-        }
+        made_up::sweep(name, errors.iter().enumerate().map(question).collect())
     }
 
     #[test]
@@ -120,7 +86,7 @@ mod tests {
         assert_eq!(
             advice(&sweeps),
             "To keep every shadow within 10⁻⁹ of the exact one, use quick, \
-             but slow (42 to 43 times its time) where the light's distance over its height is 10² or more, \
+             but slow (42 to 43 times its time) where the light's distance over its height is 10² to 10³, \
              none that is measured here where the light's 1/w is 10 \
              and slow (40 to 41 times its time) where the scene's distance from the origin over its size is 1 to 10."
         );
