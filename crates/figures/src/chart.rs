@@ -22,23 +22,20 @@
 
 mod axes;
 mod curve;
+mod front;
+mod plotted;
 mod span;
 mod strokes;
 
-use ombra_math::glam::DVec2;
-use plotters::prelude::*;
-
 use self::curve::{curve, mark};
+use self::plotted::Plotted;
 use self::span::Span;
-use self::strokes::{Strokes, hundredths};
-use crate::colour::{Ink, Role};
-use crate::drawing::{Drawing, EMPHASIS, NORMAL, Pen};
+use crate::colour::Role;
+use crate::drawing::{Drawing, Pen};
 use crate::error::FigureError;
 use crate::marks::DOT;
-use crate::path::Path;
 use crate::sheet::{Label, Sheet};
 use crate::style::Style;
-use crate::text::NOTE;
 
 /// How values lie along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -151,109 +148,41 @@ impl Chart {
 
         let area = self.area(sheet, &y)?;
         let canvas = sheet.frame().max + sheet.frame().min;
-        let mut drawn: Vec<(Path, u8, f64)> = Vec::new();
-        let at = {
-            let root = Strokes {
-                size: canvas,
-                drawn: &mut drawn,
-            }
-            .into_drawing_area();
-            let failed = |_| FigureError::Chart {
-                reason: format!("the chart {} has no room on this canvas", self.id),
-            };
-            let mut chart = ChartBuilder::on(&root)
-                .margin_left(hundredths(area.min.x))
-                .margin_top(hundredths(area.min.y))
-                .margin_right(hundredths(canvas.x - area.max.x))
-                .margin_bottom(hundredths(canvas.y - area.max.y))
-                .build_cartesian_2d(x.range(), y.range())
-                .map_err(failed)?;
-            let lines = self.series.iter().enumerate().flat_map(|(i, series)| {
-                let joined = series.joined.then_some(&series.points);
-                let of = joined.into_iter().chain([&series.line]);
-                of.map(move |points| (i, series, points))
-            });
-            for (i, series, points) in lines.filter(|(.., points)| !points.is_empty()) {
-                let points = points.iter().map(|&(px, py)| (x.place(px), y.place(py)));
-                let colour = Color::stroke_width(&RGBColor(curve(i), 0, 0), hundredths(NORMAL));
-                chart
-                    .draw_series(LineSeries::new(points, colour))
-                    .map_err(|error| FigureError::Chart {
-                        reason: format!("the curve {} cannot be drawn: {error}", series.name),
-                    })?;
-            }
-            let place = |(px, py): (f64, f64)| {
-                let (column, row) = chart.backend_coord(&(x.place(px), y.place(py)));
-                DVec2::new(f64::from(column), f64::from(row)) / 100.0
-            };
-            let ticks_x: Vec<DVec2> = x
-                .ticks
-                .iter()
-                .map(|tick| place((tick.value, y.low)))
-                .collect();
-            let ticks_y: Vec<DVec2> = y
-                .ticks
-                .iter()
-                .map(|tick| place((x.low, tick.value)))
-                .collect();
-            let series: Vec<Vec<DVec2>> = self
-                .series
-                .iter()
-                .map(|series| series.points.iter().map(|&p| place(p)).collect())
-                .collect();
-            let front: Vec<DVec2> = front.iter().map(|&(_, p)| place(p)).collect();
-            (ticks_x, ticks_y, series, front)
-        };
-        let (ticks_x, ticks_y, places, steps) = at;
+        let Plotted {
+            lines,
+            ticks: [ticks_x, ticks_y],
+            points,
+            front: steps,
+        } = self.plot(canvas, area, [&x, &y], &front)?;
 
         self.draw_axes(sheet, area, (&x, &ticks_x), (&y, &ticks_y))?;
-        // The front lies below the curves, broad and pale.
-        let corners = steps
-            .iter()
-            .zip(steps.iter().skip(1))
-            .flat_map(|(a, b)| [*a, DVec2::new(b.x, a.y)]);
-        let mut staircase: Vec<DVec2> = corners.collect();
-        staircase.extend(steps.last());
-        sheet.stroke(
-            Path::polyline(&staircase),
-            Pen::new(Ink::of(Role::Chosen).tint(0.5), EMPHASIS),
-        );
-        for (path, colour, width) in drawn {
+        front::draw_steps(sheet, &steps);
+        for (path, colour, width) in lines {
             sheet.stroke(path, Pen::new(Role::Curve(colour), width));
         }
-        for (i, points) in places.iter().enumerate() {
+        for (i, points) in points.iter().enumerate() {
             for &p in points {
                 mark(sheet, p, curve(i));
             }
         }
-        for ((name, _), &at) in front.iter().zip(&steps) {
-            sheet.stroke(Path::circle(at, 1.9 * DOT), Pen::new(Role::Chosen, NORMAL));
-            let label = Label::new(at, name.as_str()).reach(1.9 * DOT).size(NOTE);
-            sheet.label(label.towards(DVec2::new(-1.0, 1.0)));
-        }
-        for (i, (series, points)) in self.series.iter().zip(&places).enumerate() {
+        front::name_points(sheet, &front, &steps);
+        for (i, (series, points)) in self.series.iter().zip(&points).enumerate() {
             if let Some(&end) = points.last() {
-                sheet.label(
-                    Label::new(end, series.name.as_str())
-                        .reach(DOT + 4.0)
-                        .ink(Role::Curve(curve(i))),
-                );
+                let label = Label::new(end, series.name.as_str()).reach(DOT + 4.0);
+                sheet.label(label.ink(Role::Curve(curve(i))));
             }
         }
         Ok(())
-    }
-
-    /// The front from the cheapest on.
-    fn front(&self) -> Vec<(String, (f64, f64))> {
-        let mut front = self.pareto.clone().unwrap_or_default();
-        front.sort_by(|a, b| a.1.0.total_cmp(&b.1.0).then(b.1.1.total_cmp(&a.1.1)));
-        front
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use ombra_math::glam::DVec2;
+
     use super::*;
+    use crate::drawing::NORMAL;
+    use crate::path::Path;
 
     fn chart(points: Vec<(f64, f64)>, scale: Scale) -> Chart {
         Chart {
@@ -376,37 +305,6 @@ mod tests {
         // The axes reach as far as the line.
         let drawing = chart.draw(&Style::default()).unwrap();
         assert!(texts(&drawing).contains(&"1000"));
-    }
-
-    #[test]
-    fn the_front_is_a_staircase_from_the_cheapest_on() {
-        let mut chart = chart(vec![(1.0, 9.0), (3.0, 3.0), (5.0, 1.0)], Scale::Linear);
-        chart.pareto = Some(vec![
-            ("c".into(), (5.0, 1.0)),
-            ("a".into(), (1.0, 9.0)),
-            ("b".into(), (3.0, 3.0)),
-        ]);
-        let drawing = chart.draw(&Style::default()).unwrap();
-        let front = drawing.items.iter().find_map(|item| match item {
-            crate::drawing::Item::Shape {
-                path,
-                stroke: Some(pen),
-                ..
-            } if pen.width == EMPHASIS => Some(path.clone()),
-            _ => None,
-        });
-        let points: Vec<DVec2> = front.unwrap().points().collect();
-        assert_eq!(points.len(), 5);
-        for pair in points.windows(2) {
-            let step = pair[1] - pair[0];
-            assert!(
-                (step.x > 0.0 && step.y == 0.0) || (step.x == 0.0 && step.y > 0.0),
-                "{step}"
-            );
-        }
-        for name in ["a", "b", "c"] {
-            assert!(texts(&drawing).contains(&name));
-        }
     }
 
     #[test]

@@ -53,6 +53,29 @@ impl<T: Into<Ink>> From<T> for Paint {
     }
 }
 
+impl Paint {
+    /// Every length to hundredths.
+    pub(crate) fn rounded(self) -> Paint {
+        match self {
+            Paint::Solid(ink) => Paint::Solid(ink),
+            Paint::Linear { from, to, stops } => Paint::Linear {
+                from: round(from),
+                to: round(to),
+                stops,
+            },
+            Paint::Radial {
+                centre,
+                radius,
+                stops,
+            } => Paint::Radial {
+                centre: round(centre),
+                radius: round_length(radius),
+                stops,
+            },
+        }
+    }
+}
+
 /// Which points of a path with several contours are inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FillRule {
@@ -88,6 +111,17 @@ impl Pen {
         Pen {
             dash: Some((9.0, 11.0)),
             ..self
+        }
+    }
+
+    /// Every length to hundredths.
+    pub(crate) fn rounded(self) -> Pen {
+        Pen {
+            paint: self.paint.rounded(),
+            width: round_length(self.width),
+            dash: self
+                .dash
+                .map(|(dash, gap)| (round_length(dash), round_length(gap))),
         }
     }
 

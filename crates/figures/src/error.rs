@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::nearest::nearest;
+
 /// What was wrong with a figure's options, its object, its labels or the place it should be written to.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FigureError {
@@ -99,10 +101,12 @@ impl fmt::Display for FigureError {
                 crate::style::Size::MOST_PIXELS,
             ),
             Self::UnknownFigure { pattern, allowed } => {
-                write!(
-                    f,
-                    "there is no figure or lecture '{pattern}': there are {allowed}"
-                )
+                let names = allowed.split(", ");
+                write!(f, "there is no figure or lecture '{pattern}': ")?;
+                if let Some(meant) = nearest(pattern, names) {
+                    write!(f, "the nearest is '{meant}'; ")?;
+                }
+                write!(f, "there are {allowed}")
             }
             Self::Numbers {
                 option,

@@ -236,6 +236,13 @@ mod tests {
             error.contains("'shadow/cube'") && error.contains("shadows/cube-infinity"),
             "{error}"
         );
+        let error = select(&["hsr/zbufer"]).unwrap_err().to_string();
+        assert!(!error.contains("nearest"), "{error}");
+        let error = select(&["hsr/zbufer-steps"]).unwrap_err().to_string();
+        assert!(
+            error.contains("the nearest is 'hsr/zbuffer-steps'; there are math, "),
+            "{error}"
+        );
     }
 
     #[test]

@@ -70,6 +70,7 @@ mod hsr;
 pub mod labels;
 pub mod marks;
 mod math;
+mod nearest;
 pub mod number;
 pub mod object;
 pub mod panels;

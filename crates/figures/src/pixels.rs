@@ -6,7 +6,7 @@ use crate::colour::{Ink, Role};
 use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
 use crate::path::{Path, Rect};
-use crate::sheet::{Align, Sheet};
+use crate::sheet::{Align, Centres, Sheet};
 use crate::text::NOTE;
 
 /// What the numbers of a border take up beside the cells.
@@ -134,22 +134,18 @@ impl Grid {
         cells
     }
 
-    /// The centre points of all cells.
+    /// The centre points of all cells but those below labels.
     pub fn draw_centres(&self, sheet: &mut Sheet) {
         if self.cell < SMALL {
             return;
         }
-        // A row of centres is a dotted line, a dot a cell.
-        let mut rows = Path::new();
-        for y in self.min.y..=self.max.y {
-            let [from, to] = [self.min.x, self.max.x].map(|x| self.centre(IVec2::new(x, y)));
-            rows.add_polyline(&[from, to + DVec2::new(0.2 * self.cell, 0.0)]);
-        }
-        let dots = Pen {
-            dash: Some((0.01, self.cell - 0.01)),
-            ..Pen::new(Role::Note, (0.09 * self.cell).clamp(4.0, 8.0))
-        };
-        sheet.stroke_unmarked(rows, dots);
+        let pixels = (self.max - self.min + 1).max(IVec2::ZERO);
+        sheet.centres(Centres {
+            first: self.corner + 0.5 * self.cell,
+            step: self.cell,
+            count: pixels.as_uvec2(),
+            width: (0.09 * self.cell).clamp(4.0, 8.0),
+        });
     }
 
     /// The numbers of the columns, below.

@@ -1,7 +1,9 @@
 //! The sheet a figure draws on: shapes go on at once, labels find their places when it is finished.
 
+mod centres;
 mod label;
 
+pub use self::centres::Centres;
 pub use self::label::Label;
 
 use ombra_math::glam::DVec2;
@@ -84,6 +86,8 @@ pub struct Sheet {
     boxes: Vec<LabelBox>,
     labels: Vec<Label>,
     drawn: Vec<Drawn>,
+    /// Grids of points and how many items lie below each.
+    centres: Vec<(usize, Centres)>,
 }
 
 impl Sheet {
@@ -105,6 +109,7 @@ impl Sheet {
             boxes: Vec::new(),
             labels: Vec::new(),
             drawn: Vec::new(),
+            centres: Vec::new(),
         };
         if style.caption && !caption.is_empty() {
             let lines = wrapped(caption, NOTE, sheet.frame.size().x)?;
@@ -168,34 +173,16 @@ impl Sheet {
     /// Puts a shape on the list, every length rounded.
     fn push(&mut self, path: Path, fill: Option<(Paint, FillRule)>, stroke: Option<Pen>) {
         let path = path.map(round);
-        let paint = |paint| match paint {
-            Paint::Solid(ink) => Paint::Solid(ink),
-            Paint::Linear { from, to, stops } => Paint::Linear {
-                from: round(from),
-                to: round(to),
-                stops,
-            },
-            Paint::Radial {
-                centre,
-                radius,
-                stops,
-            } => Paint::Radial {
-                centre: round(centre),
-                radius: round_length(radius),
-                stops,
-            },
-        };
         self.items.push(Item::Shape {
             path,
-            fill: fill.map(|(fill, rule)| (paint(fill), rule)),
-            stroke: stroke.map(|pen| Pen {
-                paint: paint(pen.paint),
-                width: round_length(pen.width),
-                dash: pen
-                    .dash
-                    .map(|(dash, gap)| (round_length(dash), round_length(gap))),
-            }),
+            fill: fill.map(|(fill, rule)| (fill.rounded(), rule)),
+            stroke: stroke.map(Pen::rounded),
         });
+    }
+
+    /// The centre points of pixels; those below labels are left out.
+    pub fn centres(&mut self, centres: Centres) {
+        self.centres.push((self.items.len(), centres));
     }
 
     /// Makes labels keep well off the lines of `path`, curves taken by their chords.
@@ -315,6 +302,10 @@ impl Sheet {
                 text: wanted.line.plain.clone(),
             });
             letters.push((wanted.line, *place, label.ink));
+        }
+        for (below, centres) in self.centres.iter().rev() {
+            let item = centres.item(&self.boxes);
+            self.items.insert((*below).min(self.items.len()), item);
         }
         let under = Under::of(&self.items);
         self.items.append(&mut self.fixed);

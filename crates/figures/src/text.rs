@@ -175,29 +175,49 @@ pub fn escape(words: &str) -> String {
     escaped
 }
 
-/// Lines of at most `width`, broken at spaces; a longer word stands alone.
+/// Lines of at most `width`, broken at spaces; a longer word stands alone. As many as are needed, and about equally long.
 ///
 /// # Errors
 ///
 /// As [`Line::new`].
 pub fn wrapped(markup: &str, size: f64, width: f64) -> Result<Vec<Line>, FigureError> {
-    let mut lines = Vec::new();
-    let mut current = String::new();
-    for word in markup.split(' ') {
-        let longer = if current.is_empty() {
-            word.to_owned()
-        } else {
-            format!("{current} {word}")
-        };
-        if !current.is_empty() && Line::new(&longer, size)?.width > width {
-            lines.push(Line::new(&current, size)?);
-            word.clone_into(&mut current);
-        } else {
-            current = longer;
+    let mut lines = filled(markup, size, |line| line <= width)?;
+    // Ever narrower, until that needs a line more or no line can be broken.
+    while lines.len() > 1 {
+        let most = widest(&lines);
+        let narrower = filled(markup, size, |line| line < most)?;
+        if narrower.len() > lines.len() || widest(&narrower) >= most {
+            break;
         }
+        lines = narrower;
     }
-    lines.push(Line::new(&current, size)?);
     Ok(lines)
+}
+
+/// Each line as full as `fits` allows.
+fn filled(markup: &str, size: f64, fits: impl Fn(f64) -> bool) -> Result<Vec<Line>, FigureError> {
+    let mut lines = Vec::new();
+    let mut last: Option<(String, Line)> = None;
+    for word in markup.split(' ') {
+        let longer = match &last {
+            Some((words, _)) => format!("{words} {word}"),
+            None => word.to_owned(),
+        };
+        let line = Line::new(&longer, size)?;
+        last = match last.take() {
+            Some((_, before)) if !fits(line.width) => {
+                lines.push(before);
+                Some((word.to_owned(), Line::new(word, size)?))
+            }
+            _ => Some((longer, line)),
+        };
+    }
+    lines.extend(last.map(|(_, line)| line));
+    Ok(lines)
+}
+
+fn widest(lines: &[Line]) -> f64 {
+    lines.iter().map(|line| line.width).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -350,6 +370,29 @@ mod tests {
             error.to_string(),
             "the label '漢' has the character '漢' (U+6F22), which the figures' typeface lacks"
         );
+    }
+
+    /// Against every way of breaking at two of the spaces.
+    #[test]
+    fn a_text_is_broken_into_few_and_even_lines() {
+        let words = "one two three *four* five six seven eight nine ten eleven twelve";
+        let width = |words: &[&str]| line(&words.join(" ")).width;
+        let all: Vec<&str> = words.split(' ').collect();
+        let most = 0.45 * width(&all);
+        let lines = wrapped(words, LABEL, most).unwrap();
+        assert_eq!(lines.len(), 3);
+        let found = lines.iter().map(|line| line.width).fold(0.0, f64::max);
+        for i in 1..all.len() {
+            for j in i..all.len() {
+                let parts = [&all[..i], &all[i..j], &all[j..]].map(width);
+                assert!(found <= parts.into_iter().fold(0.0, f64::max));
+            }
+        }
+        let plain: Vec<&str> = lines.iter().map(|line| line.plain.as_str()).collect();
+        assert_eq!(plain.join(" "), line(words).plain);
+        // What fits stays whole, and a word too long for any line stands alone.
+        assert_eq!(wrapped(words, LABEL, width(&all)).unwrap().len(), 1);
+        assert_eq!(wrapped("a verylongword b", LABEL, 40.0).unwrap().len(), 3);
     }
 
     #[test]

@@ -64,7 +64,7 @@ fn three_sticks_have_no_order_until_one_is_cut() {
         id,
         &[
             "A hides B, B hides C, C hides A",
-            "A is cut in two: 1, 2, 3, 4",
+            "A is cut in two; order: 1, 2, 3, 4",
         ],
     );
     // Beside the pieces; the panels have numbers, too.
@@ -73,13 +73,16 @@ fn three_sticks_have_no_order_until_one_is_cut() {
     }
 }
 
-/// The face (−3, −1)–(0, −3): n = (−2, −3); from its middle (−3/2, −2) to the eye (−9, 1): v = (−15/2, 3); n·v = 15 − 9.
+/// Grafica 3, Back Face Culling: of the prism's six faces three look towards the eye; two show their angles.
 #[test]
 fn faces_turned_away_have_a_negative_product() {
     let id = "hsr/back-face";
-    says(id, &["n·v = 6 ≥ 0", "n·v = 20 ≥ 0", "n·v = 4 ≥ 0"]);
-    says(id, &["n·v = −21 < 0", "n·v = −39 < 0", "n·v = −26 < 0"]);
-    assert_eq!((count(id, "n"), count(id, "v")), (2, 2));
+    for (verdict, times) in [("n·v ≥ 0: kept", 3), ("n·v < 0: culled", 3)] {
+        assert_eq!(count(id, verdict), times, "{verdict}");
+    }
+    for (name, times) in [("n", 2), ("v", 2), ("θ ≤ 90°", 1), ("θ > 90°", 1)] {
+        assert_eq!(count(id, name), times, "{name}");
+    }
 }
 
 /// Distances by hand: A is x + 1 in column x, B is 6 − x, C is 7, nothing is 8.

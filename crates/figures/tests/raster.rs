@@ -93,8 +93,8 @@ fn a_rectangle_counts_its_pixels() {
         &[
             "outline: 14 pixels",
             "filled: 20 pixels",
-            "(2, 1)",
-            "(6, 4)",
+            "(1, 1)",
+            "(5, 4)",
         ],
     );
 }

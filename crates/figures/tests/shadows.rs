@@ -109,13 +109,13 @@ fn the_words_follow_what_is_drawn() {
     }
     let id = "shadows/planar-any-plane";
     for (plane, mesh, title) in [
-        (None, None, "A cube's shadow on a slanted wall"),
-        (None, Some("torus"), "An object's shadow on a slanted wall"),
-        (Some("0,1,0,5"), None, "A cube's shadow on a plane"),
+        (None, None, "A cube’s shadow on a slanted wall"),
+        (None, Some("torus"), "An object’s shadow on a slanted wall"),
+        (Some("0,1,0,5"), None, "A cube’s shadow on a plane"),
         (
             Some("0,1,0,5"),
             Some("torus"),
-            "An object's shadow on a plane",
+            "An object’s shadow on a plane",
         ),
     ] {
         assert_eq!(told(id, &inputs(None, plane, mesh)).0, title);

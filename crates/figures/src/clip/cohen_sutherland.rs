@@ -12,7 +12,6 @@ use crate::error::FigureError;
 use crate::figure::{Figure, Takes, Words};
 use crate::labels::Key;
 use crate::marks;
-use crate::number::exact;
 use crate::panels::panels;
 use crate::path::Rect;
 use crate::sheet::{Align, Sheet};
@@ -105,11 +104,7 @@ fn draw_step(sheet: &mut Sheet, panel: Rect, step: &Step) -> Result<(), FigureEr
     ];
     for ((name, end, start), code) in ends.into_iter().zip(step.codes) {
         let prime = if end == start { "" } else { "′" };
-        let label = if done {
-            format!("*{name}*{prime} ({}, {})", exact(end.x), exact(end.y))
-        } else {
-            format!("*{name}*{prime} {code}")
-        };
+        let label = format!("*{name}*{prime} {code}");
         if code.is_inside() {
             marks::point(sheet, board.at(end), Role::Chosen);
         } else {

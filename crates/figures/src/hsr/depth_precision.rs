@@ -32,6 +32,8 @@ const SHOWN: (f64, f64) = (0.125, 1000.0);
 /// Points of a line, less one, and how many of them to a measurement.
 const LAST: usize = 240;
 const EVERY: usize = 20;
+/// Half the width of a jump, as a share of its distance: well above rounding, and nothing on the canvas.
+const JUMP: f64 = 1e-9;
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
@@ -65,9 +67,26 @@ fn series<F: DepthFormat>(name: &str, first: usize) -> Series {
     let marks = distances().skip(first).step_by(EVERY);
     Series {
         joined: false,
-        line: distances().filter_map(step).collect(),
+        line: line::<F>().into_iter().filter_map(step).collect(),
         ..Series::new(name, marks.filter_map(measured).collect())
     }
+}
+
+/// Distances of the line; where the spacing of what is stored jumps, right before and behind.
+fn line<F: DepthFormat>() -> Vec<f64> {
+    let powers = (1..64).map(|e| libm::scalbn(1.0, -e));
+    let jumps = powers.filter(|&v| F::spacing(0.75 * v) != F::spacing(v));
+    // d = f (z − n) / (z (f − n)), solved for z.
+    let place = |v: f64| {
+        let d = if F::REVERSED { 1.0 - v } else { v };
+        FAR * NEAR / (FAR - d * (FAR - NEAR))
+    };
+    let beside = |z: f64| [z * (1.0 - JUMP), z * (1.0 + JUMP)];
+    let mut all: Vec<f64> = jumps.map(place).flat_map(beside).collect();
+    all.retain(|&z| SHOWN.0 < z && z < SHOWN.1);
+    all.extend(distances());
+    all.sort_by(f64::total_cmp);
+    all
 }
 
 /// From one shown to the other in equal ratios.
@@ -123,19 +142,46 @@ mod tests {
     fn marks_lie_on_their_lines() {
         for series in all() {
             assert_eq!(series.points.len(), 13);
-            assert_eq!(series.line.len(), 241);
-            for (mark, line) in series.points.iter().zip(series.line.iter().step_by(20)) {
-                assert!((mark.0 - line.0).abs() <= 1e-12 * line.0);
+            for mark in &series.points {
+                let line = series.line.iter().find(|line| line.0 == mark.0).unwrap();
                 let ratio = mark.1 / line.1;
                 assert!((0.7..1.4).contains(&ratio), "{mark:?} {line:?}");
             }
         }
     }
 
+    /// Between 0.125 m and 1000 m d passes ½ and ¼ (z = 0.2 m and 0.133 m), and 1 − d the powers from ½ to 2⁻¹³.
+    #[test]
+    fn steps_of_floating_point_jump_upright() {
+        let mut jumps = Vec::new();
+        for series in all() {
+            let pairs = series.line.windows(2);
+            let apart = pairs.clone().filter(|pair| pair[0].0 >= pair[1].0).count();
+            assert_eq!(apart, 0);
+            let factor = |pair: &&[(f64, f64)]| pair[1].1 / pair[0].1;
+            let jump = |pair: &&[(f64, f64)]| !(0.8..1.25).contains(&factor(pair));
+            let found: Vec<_> = pairs.filter(jump).collect();
+            for pair in &found {
+                assert!(pair[1].0 / pair[0].0 - 1.0 < 3e-9, "{pair:?}");
+                let factor = factor(pair);
+                // A power of two but for the change of z.
+                let is = |wanted: f64| (factor / wanted - 1.0).abs() < 1e-8;
+                assert!(is(2.0) || is(0.5), "{pair:?}");
+            }
+            jumps.push(found.len());
+        }
+        assert_eq!(jumps, [0, 0, 2, 13]);
+    }
+
     /// What the figure is drawn for.
     #[test]
     fn only_reversed_keeps_its_digits_far_away() {
         let [b16, b24, float, reversed] = all();
+        // Where the line has no jump: at the same distances for all.
+        let [b16, b24, float, reversed] = [b16, b24, float, reversed].map(|mut series| {
+            series.line.retain(|(z, _)| distances().any(|at| at == *z));
+            series
+        });
         for (a, b) in b16.line.iter().zip(&b24.line) {
             assert!(a.1 > 200.0 * b.1);
         }

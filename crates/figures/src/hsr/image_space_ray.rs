@@ -45,7 +45,7 @@ const C: [(f64, f64); 3] = [(-2.3, -0.7), (-0.2, 0.3), (-1.3, 0.9)];
 /// Share of a primitive's colour in the pixels that show it.
 const CELL: f64 = 0.6;
 /// As much of the plane of *C* as shows where the ray meets it; the place of *C* among the primitives.
-const PLANE: [(f64, f64); 4] = [(-2.6, -1.5), (0.9, -1.5), (0.9, 1.5), (-2.6, 1.5)];
+const PLANE: [(f64, f64); 4] = [(-2.6, -1.7), (1.6, -1.7), (1.6, 1.5), (-2.6, 1.5)];
 const PLANE_OF: usize = 2;
 /// Room for the mark of the eye, which is at the border of what is shown, and how far its rays keep off it.
 const AROUND_EYE: DVec2 = DVec2::new(34.0, 20.0);
@@ -166,7 +166,7 @@ fn draw(sheet: &mut Sheet, looked_at: (u32, u32)) -> Result<(), FigureError> {
         name_hit(
             sheet,
             at,
-            format!("{}, {outside}", exact(hit.t)),
+            format!("{}\n{outside}", exact(hit.t)),
             Role::Rejected,
         );
     }
@@ -232,7 +232,7 @@ impl Picture {
 
 /// A label beside a hit.
 fn name_hit(sheet: &mut Sheet, at: DVec2, t: String, role: Role) {
-    let label = Label::new(at, format!("*t* = {t}")).towards(DVec2::new(0.7, 1.0));
+    let label = Label::new(at, format!("*t* = {t}")).towards(DVec2::Y);
     sheet.label(label.ink(role).reach(12.0));
 }
 

@@ -192,7 +192,7 @@ mod tests {
     fn the_words_name_the_ring_and_the_stick_that_is_cut() {
         let usual = drawn(|sheet| draw(sheet, &sticks(SLOPE)));
         assert!(says(&usual, "A hides B, B hides C, C hides A"));
-        assert!(says(&usual, "A is cut in two: 1, 2, 3, 4"));
+        assert!(says(&usual, "A is cut in two; order: 1, 2, 3, 4"));
         // The sticks tilted the other way: the ring turns round.
         let turned = drawn(|sheet| draw(sheet, &sticks(-SLOPE)));
         assert!(says(&turned, "A hides C, C hides B, B hides A"));

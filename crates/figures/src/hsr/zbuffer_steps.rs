@@ -48,8 +48,8 @@ struct Triangle {
     corners: [(f64, f64); 3],
     at_left: f64,
     slope: f64,
-    /// Where its name stands, between pixels of its own.
-    name_at: (f64, f64),
+    /// The pixel of its own in which its name stands.
+    named_in: (i32, i32),
 }
 
 /// In the order they are drawn: two that cross, and one behind both.
@@ -58,19 +58,19 @@ const TRIANGLES: [Triangle; 3] = [
         corners: [(0.125, 0.125), (0.125, 3.75), (5.875, 2.25)],
         at_left: 1.0,
         slope: 1.0,
-        name_at: (1.0, 2.0),
+        named_in: (1, 1),
     },
     Triangle {
         corners: [(5.875, 0.625), (5.875, 5.125), (0.25, 3.25)],
         at_left: 6.0,
         slope: -1.0,
-        name_at: (5.0, 2.0),
+        named_in: (5, 2),
     },
     Triangle {
         corners: [(0.125, 5.875), (5.875, 5.875), (3.375, 0.125)],
         at_left: 7.0,
         slope: 0.0,
-        name_at: (2.0, 5.0),
+        named_in: (2, 4),
     },
 ];
 
@@ -208,7 +208,7 @@ fn draw_colour(sheet: &mut Sheet, grid: &Grid, step: &Step) -> Result<(), Figure
             continue;
         }
         grid.fill(sheet, &on, Ink::of(role));
-        let at = grid.at(triangle.name_at.into());
+        let at = grid.centre(triangle.named_in.into());
         sheet.text(at, Align::Centre, name, LABEL, Role::Text)?;
     }
     grid.draw_centres(sheet);

@@ -46,7 +46,7 @@ words! {
     /// `clip/outcodes` below the figure.
     OUTCODES_CAPTION {
         en: "Each bit stands for one side: 1 where a point lies beyond it. Inside all are 0.",
-        it: "Ogni bit sta per un lato: 1 dove il punto è oltre. All'interno sono tutti 0.",
+        it: "Ogni bit sta per un lato: 1 dove il punto è oltre. All’interno sono tutti 0.",
         cs: "Každý bit patří jedné straně: 1, leží-li bod za ní. Uvnitř jsou všechny 0.",
         hr: "Svaki bit pripada jednoj stranici: 1 ako je točka iza nje. Unutra su svi 0.",
     }
@@ -157,9 +157,9 @@ words! {
 
     /// `clip/polygon-cases`: the fourth picture.
     CASE_CLOSED {
-        en: "C: closed, not loose segments",
-        it: "C: chiuso, non segmenti sconnessi",
-        cs: "C: uzavřený, ne volné úsečky",
-        hr: "C: zatvoren, ne slobodne dužine",
+        en: "C: a closed polygon",
+        it: "C: un poligono chiuso",
+        cs: "C: uzavřený obrys",
+        hr: "C: zatvoren poligon",
     }
 }

@@ -6,7 +6,7 @@ words! {
     /// `hsr/object-space-pairs` in lists.
     PAIRS_SUMMARY {
         en: "Two primitives: one hides the other, both are visible, one hides part of the other",
-        it: "Due primitive: una oscura l'altra, entrambe visibili, una occlude parzialmente l'altra",
+        it: "Due primitive: una oscura l’altra, entrambe visibili, una occlude parzialmente l’altra",
         cs: "Dvě plochy: jedna zakrývá druhou, obě jsou viditelné, jedna zakrývá část druhé",
         hr: "Dva poligona: jedan zaklanja drugi, oba su vidljiva, jedan zaklanja dio drugoga",
     }
@@ -14,7 +14,7 @@ words! {
     /// `hsr/object-space-pairs` below the figure.
     PAIRS_CAPTION {
         en: "Above what the eye sees, below the same from above. What lies in the pyramid behind *A* is hidden; what is left of *B* is cut into convex parts.",
-        it: "In alto ciò che vede l'osservatore, in basso la pianta. Ciò che sta nella piramide dietro *A* è oscurato; ciò che resta di *B* si divide in parti convesse.",
+        it: "In alto ciò che vede l’osservatore, in basso la pianta. Ciò che sta nella piramide dietro *A* è oscurato; ciò che resta di *B* si divide in parti convesse.",
         cs: "Nahoře to, co vidí pozorovatel, dole půdorys. Co leží v jehlanu za *A*, je zakryté; zbytek *B* se rozdělí na konvexní části.",
         hr: "Gore ono što vidi oko, dolje tlocrt. Što leži u piramidi iza *A*, zaklonjeno je; ostatak od *B* dijeli se na konveksne dijelove.",
     }
@@ -54,7 +54,7 @@ words! {
     /// `hsr/image-space-ray` below the figure.
     IMAGE_RAY_CAPTION {
         en: "The pixel gets the primitive at the nearest hit. The plane of *C* is met sooner, but outside *C*: that does not count.",
-        it: "Il pixel riceve la primitiva dell'intersezione più vicina. Il piano di *C* viene prima, ma fuori di *C*: non conta.",
+        it: "Il pixel riceve la primitiva dell’intersezione più vicina. Il piano di *C* viene prima, ma fuori di *C*: non conta.",
         cs: "Pixel dostane plochu nejbližšího průsečíku. Rovinu plochy *C* paprsek protne dřív, ale mimo *C*: to se nepočítá.",
         hr: "Piksel dobiva poligon najbližeg pogotka. Ravninu od *C* zraka pogađa prije, ali izvan *C*: to se ne računa.",
     }
@@ -69,8 +69,8 @@ words! {
 
     /// `hsr/painter-steps` in lists.
     PAINTER_STEPS_SUMMARY {
-        en: "The painter's algorithm: four primitives from back to front",
-        it: "L'algoritmo del pittore: quattro primitive dalla più lontana alla più vicina",
+        en: "The painter’s algorithm: four primitives from back to front",
+        it: "L’algoritmo del pittore: quattro primitive dalla più lontana alla più vicina",
         cs: "Malířův algoritmus: čtyři plochy odzadu dopředu",
         hr: "Slikarev algoritam: četiri poligona odostraga prema naprijed",
     }
@@ -118,7 +118,7 @@ words! {
     /// `hsr/painter-cycle` below the figure.
     PAINTER_CYCLE_CAPTION {
         en: "Whichever is painted first hides nothing, yet each must hide one. One is cut by the plane of another, and its two pieces find their places.",
-        it: "La prima dipinta non copre nulla, eppure ognuna deve coprirne una. Una si taglia con il piano di un'altra, e i suoi due pezzi trovano posto.",
+        it: "La prima dipinta non copre nulla, eppure ognuna deve coprirne una. Una si taglia con il piano di un’altra, e i suoi due pezzi trovano posto.",
         cs: "Tyč namalovaná jako první nezakryje nic, a přece má každá jednu zakrýt. Jedna se rozřízne rovinou jiné a její dva díly najdou své místo.",
         hr: "Štap naslikan prvi ne zaklanja ništa, a svaki mora zakloniti jedan. Jedan se reže ravninom drugoga i njegova dva dijela nađu svoje mjesto.",
     }
@@ -133,16 +133,16 @@ words! {
 
     /// What happens to a stick, before the numbers of the pieces in order.
     PAINTER_CUT {
-        en: "is cut in two",
-        it: "tagliata in due",
-        cs: "rozříznuta na dvě",
-        hr: "prerezan nadvoje",
+        en: "is cut in two; order",
+        it: "tagliata in due; ordine",
+        cs: "rozříznuta na dvě; pořadí",
+        hr: "prerezan nadvoje; poredak",
     }
 
     /// `hsr/back-face` in lists.
     BACK_FACE_SUMMARY {
         en: "A solid cut across, the normals of its faces and the vectors to the eye: kept and culled faces",
-        it: "Un solido in sezione, le normali delle facce e i vettori verso l'osservatore: facce tenute ed eliminate",
+        it: "Un solido in sezione, le normali delle facce e i vettori verso l’osservatore: facce tenute ed eliminate",
         cs: "Řez tělesem, normály stěn a vektory k pozorovateli: ponechané a vyřazené stěny",
         hr: "Presjek tijela, normale stranica i vektori prema oku: zadržane i odbačene stranice",
     }
@@ -150,9 +150,25 @@ words! {
     /// `hsr/back-face` below the figure.
     BACK_FACE_CAPTION {
         en: "**n** looks out of the solid, **v** from the face towards the eye. With **n**·**v** < 0 a face is turned away and certainly hidden.",
-        it: "**n** esce dal solido, **v** va dalla faccia verso l'osservatore. Con **n**·**v** < 0 la faccia è posteriore e certamente non visibile.",
+        it: "**n** esce dal solido, **v** va dalla faccia verso l’osservatore. Con **n**·**v** < 0 la faccia è posteriore e certamente non visibile.",
         cs: "**n** míří ven z tělesa, **v** od stěny k pozorovateli. Při **n**·**v** < 0 je stěna odvrácená a jistě není vidět.",
         hr: "**n** gleda iz tijela, **v** od stranice prema oku. Uz **n**·**v** < 0 stranica je okrenuta od oka i sigurno se ne vidi.",
+    }
+
+    /// What becomes of a face that may be seen.
+    BACK_FACE_KEPT {
+        en: "kept",
+        it: "tenuta",
+        cs: "ponechaná",
+        hr: "zadržana",
+    }
+
+    /// What becomes of a face that is turned away.
+    BACK_FACE_CULLED {
+        en: "culled",
+        it: "eliminata",
+        cs: "vyřazená",
+        hr: "odbačena",
     }
 
     /// `hsr/zbuffer-steps` in lists.
@@ -166,7 +182,7 @@ words! {
     /// `hsr/zbuffer-steps` below the figure.
     ZBUFFER_STEPS_CAPTION {
         en: "At first every depth is the greatest, 8. A fragment is written (marked) where it is nearer than what the pixel holds. The triangles may come in any order.",
-        it: "All'inizio ogni profondità è la massima, 8. Un frammento è scritto (evidenziato) dove è più vicino di ciò che il pixel contiene. L'ordine dei triangoli è libero.",
+        it: "All’inizio ogni profondità è la massima, 8. Un frammento è scritto (evidenziato) dove è più vicino di ciò che il pixel contiene. L’ordine dei triangoli è libero.",
         cs: "Na začátku je každá hloubka největší, 8. Fragment se zapíše (vyznačeno) tam, kde je blíže než to, co pixel obsahuje. Na pořadí trojúhelníků nezáleží.",
         hr: "Na početku je svaka dubina najveća, 8. Fragment se upisuje (označeno) gdje je bliži od onoga što piksel sadrži. Redoslijed trokuta nije važan.",
     }
@@ -190,7 +206,7 @@ words! {
     /// `hsr/zbuffer-steps`: the first step.
     ZBUFFER_CLEARED {
         en: "cleared",
-        it: "all'inizio",
+        it: "all’inizio",
         cs: "na začátku",
         hr: "na početku",
     }

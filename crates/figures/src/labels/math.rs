@@ -30,7 +30,7 @@ words! {
     /// `math/spherical` below the figure.
     MATH_SPHERICAL_CAPTION {
         en: "*θ* is measured from the pole, *φ* from *x* towards *y*. The patch of the unit sphere is the solid angle d*ω*.",
-        it: "*θ* si misura dal polo, *φ* da *x* verso *y*. La porzione di sfera unitaria è l'angolo solido d*ω*.",
+        it: "*θ* si misura dal polo, *φ* da *x* verso *y*. La porzione di sfera unitaria è l’angolo solido d*ω*.",
         cs: "*θ* se měří od pólu, *φ* od *x* k *y*. Ploška na jednotkové kouli je prostorový úhel d*ω*.",
         hr: "*θ* se mjeri od pola, *φ* od *x* prema *y*. Djelić jedinične sfere prostorni je kut d*ω*.",
     }
@@ -54,7 +54,7 @@ words! {
     /// `math/frustum`: the first picture.
     FRUSTUM_BEFORE {
         en: "What the eye sees along\u{a0}−*z*",
-        it: "Ciò che l'occhio vede lungo\u{a0}−*z*",
+        it: "Ciò che l’occhio vede lungo\u{a0}−*z*",
         cs: "Co vidí oko ve směru −*z*",
         hr: "Što oko vidi uzduž −*z*",
     }

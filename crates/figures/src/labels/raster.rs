@@ -13,7 +13,7 @@ words! {
 
     /// `raster/continuous-to-discrete` below the figure.
     CONTINUOUS_TO_DISCRETE_CAPTION {
-        en: "On the left points of the plane, on the right pixels: samples at whole places, of no size of their own.",
+        en: "On the left, points of the plane; on the right, pixels: samples at whole places, without a size of their own.",
         it: "A sinistra punti del piano, a destra pixel: campioni in posizioni intere, senza dimensione propria.",
         cs: "Vlevo body roviny, vpravo pixely: vzorky v celočíselných místech, bez vlastní velikosti.",
         hr: "Lijevo točke ravnine, desno pikseli: uzorci na cjelobrojnim mjestima, bez vlastite veličine.",
@@ -46,7 +46,7 @@ words! {
     /// `raster/segment-slopes` below the figure.
     SEGMENT_SLOPES_CAPTION {
         en: "One step along the longer axis, one pixel: no gaps and no doubles.",
-        it: "Un passo lungo l'asse maggiore, un pixel: niente buchi né doppioni.",
+        it: "Un passo lungo l’asse maggiore, un pixel: niente buchi né doppioni.",
         cs: "Jeden krok podél delší osy, jeden pixel: žádné mezery ani dvojice.",
         hr: "Jedan korak uzduž dulje osi, jedan piksel: bez rupa i bez dvostrukih.",
     }
@@ -77,10 +77,10 @@ words! {
 
     /// `raster/dda-rounding` below the figure.
     DDA_ROUNDING_CAPTION {
-        en: "*y*_{i+1} = *y*_i + *m* with *m* = 3/8. The nearest pixel is lit; the tie 3/2 goes to the lower one.",
-        it: "*y*_{i+1} = *y*_i + *m* con *m* = 3/8. Si accende il pixel più vicino; la parità 3/2 va al più basso.",
-        cs: "*y*_{i+1} = *y*_i + *m*, *m* = 3/8. Rozsvítí se nejbližší pixel; shoda 3/2 patří nižšímu.",
-        hr: "*y*_{i+1} = *y*_i + *m*, *m* = 3/8. Pali se najbliži piksel; jednakost 3/2 ide nižem.",
+        en: "*y*_{*i*+1} = *y*_i + *m* with *m* = 3/8. The nearest pixel is lit; the tie 3/2 goes to the lower one.",
+        it: "*y*_{*i*+1} = *y*_i + *m* con *m* = 3/8. Si accende il pixel più vicino; la parità 3/2 va al più basso.",
+        cs: "*y*_{*i*+1} = *y*_i + *m*, *m* = 3/8. Rozsvítí se nejbližší pixel; shoda 3/2 patří nižšímu.",
+        hr: "*y*_{*i*+1} = *y*_i + *m*, *m* = 3/8. Pali se najbliži piksel; jednakost 3/2 ide nižem.",
     }
 
     /// One pixel.
@@ -126,7 +126,7 @@ words! {
     /// `raster/bresenham-increments` below the figure.
     BRESENHAM_INCREMENTS_CAPTION {
         en: "The decision at the next midpoint *M*′ is an addition away: *dy* after E, *dy* − *dx* after NE.",
-        it: "La decisione nel punto di mezzo successivo *M*′ costa un'addizione: *dy* dopo E, *dy* − *dx* dopo NE.",
+        it: "La decisione nel punto di mezzo successivo *M*′ costa un’addizione: *dy* dopo E, *dy* − *dx* dopo NE.",
         cs: "K rozhodnutí v dalším prostředním bodě *M*′ stačí sčítání: *dy* po E, *dy* − *dx* po NE.",
         hr: "Do odluke u sljedećem polovištu *M*′ dovoljno je zbrajanje: *dy* nakon E, *dy* − *dx* nakon NE.",
     }
@@ -150,7 +150,7 @@ words! {
     /// `raster/bresenham-trace` below the figure.
     BRESENHAM_TRACE_CAPTION {
         en: "2*F* is an integer: 2*dy* − *dx* = −2 at the start, + 6 after E, − 10 after NE. Above 0 the next pixel is NE, else E.",
-        it: "2*F* è intero: 2*dy* − *dx* = −2 all'inizio, + 6 dopo E, − 10 dopo NE. Se è positivo si va a NE, altrimenti a E.",
+        it: "2*F* è intero: 2*dy* − *dx* = −2 all’inizio, + 6 dopo E, − 10 dopo NE. Se è positivo si va a NE, altrimenti a E.",
         cs: "2*F* je celé číslo: na začátku 2*dy* − *dx* = −2, + 6 po E, − 10 po NE. Je-li kladné, následuje NE, jinak E.",
         hr: "2*F* je cijeli broj: na početku 2*dy* − *dx* = −2, + 6 nakon E, − 10 nakon NE. Ako je pozitivan, slijedi NE, inače E.",
     }
@@ -165,10 +165,10 @@ words! {
 
     /// `raster/rectangle` below the figure.
     RECTANGLE_CAPTION {
-        en: "Both corners are pixels of the rectangle: columns 2 to 6 are five columns, not four.",
-        it: "I due vertici sono pixel del rettangolo: le colonne da 2 a 6 sono cinque, non quattro.",
-        cs: "Oba rohy jsou pixely obdélníku: sloupce 2 až 6 jsou pět sloupců, ne čtyři.",
-        hr: "Oba su kuta pikseli pravokutnika: od stupca 2 do 6 ima ih pet, a ne četiri.",
+        en: "Both corners are pixels of the rectangle: columns 1 to 5 are five columns, not four.",
+        it: "I due vertici sono pixel del rettangolo: le colonne da 1 a 5 sono cinque, non quattro.",
+        cs: "Oba rohy jsou pixely obdélníku: sloupce 1 až 5 jsou pět sloupců, ne čtyři.",
+        hr: "Oba su kuta pikseli pravokutnika: od stupca 1 do 5 ima ih pet, a ne četiri.",
     }
 
     /// `raster/rectangle`: the first picture.
@@ -197,7 +197,7 @@ words! {
 
     /// `raster/polygon-kinds` below the figure.
     POLYGON_KINDS_CAPTION {
-        en: "Inside is where the contours wind round an odd number of times, or not 0 times. Arrows say the direction.",
+        en: "Inside is what the contours wind round an odd number of times, or a number of times other than 0. Arrows show the direction.",
         it: "È interno ciò attorno a cui i contorni girano un numero dispari di volte, o non zero volte. Le frecce dicono il verso.",
         cs: "Uvnitř je to, co obrysy obíhají lichým počtem otočení, nebo nenulovým. Šipky udávají směr.",
         hr: "Unutra je ono što konture obilaze neparan broj puta, ili broj puta različit od nule. Strelice pokazuju smjer.",
@@ -309,17 +309,17 @@ words! {
 
     /// `raster/triangle-shared-edge`: the second picture.
     SHARED_CLOSED {
-        en: "edges count as inside: drawn twice",
+        en: "edges inside: drawn twice",
         it: "lati compresi: disegnati due volte",
-        cs: "hrany patří dovnitř: kresleno dvakrát",
+        cs: "hrany uvnitř: kresleno dvakrát",
         hr: "bridovi unutra: crtano dvaput",
     }
 
     /// `raster/triangle-shared-edge`: the third picture.
     SHARED_OPEN {
-        en: "edges count as outside: gaps",
+        en: "edges outside: gaps",
         it: "lati esclusi: buchi",
-        cs: "hrany patří ven: mezery",
+        cs: "hrany venku: mezery",
         hr: "bridovi izvan: rupe",
     }
 

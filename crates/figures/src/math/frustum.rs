@@ -66,8 +66,8 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
 
     // Near, the distance that becomes the middle of the cube, far.
     let sections = [N, 2.0 * F * N / (F + N), F].map(section);
-    let picture = Picture::new(before, stage, sections, 0.85, 50.0)?;
-    picture.draw(sheet, 0.75);
+    let picture = Picture::new(before, stage, sections, 1.05, 50.0)?;
+    picture.draw(sheet, 0.95);
     let sides = ["*l*", "*r*", "*b*", "*t*"].map(str::to_owned);
     let depths = ["−*n*", "−2*fn* / (*f* + *n*)", "−*f*"].map(str::to_owned);
     picture.name(sheet, &sides, &depths);

@@ -103,10 +103,11 @@ fn draw_choice(sheet: &mut Sheet, panel: Rect, step: &Step) {
     let q = grid.at(on_line(next));
     marks::hollow_point(sheet, midpoint, Role::Undecided);
     marks::point(sheet, q, Role::Text);
-    // M in the cell that is left out, Q above the line.
+    // M in the cell that is left out, Q on the side of M, where the line leaves room.
     let free = DVec2::new(-1.0, (grid.centre(rejected) - midpoint).y.signum());
     sheet.label(large(midpoint, "*M*").towards(free));
-    sheet.label(large(q, "*Q*").towards(DVec2::NEG_ONE));
+    let aside = DVec2::splat((midpoint - q).y.signum());
+    sheet.label(large(q, "*Q*").towards(aside));
 }
 
 /// A name in large letters: there is room.

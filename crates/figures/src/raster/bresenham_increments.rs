@@ -85,7 +85,9 @@ fn draw_increment(sheet: &mut Sheet, panel: Rect, step: &Step, next: &Step) {
         Role::Text,
         NORMAL,
     );
-    for (at, name, towards) in [(old, "*M*", -along), (new, "*M*′", along)] {
+    // M off the border of the pixels, M′ beyond the arrow.
+    let before = DVec2::new(-1.0, if along.y < 0.0 { 1.0 } else { -1.0 });
+    for (at, name, towards) in [(old, "*M*", before), (new, "*M*′", along)] {
         marks::hollow_point(sheet, at, Role::Undecided);
         let label = Label::new(at, name).towards(towards);
         sheet.label(label.size(1.25 * LABEL).beside());

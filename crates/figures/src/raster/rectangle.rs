@@ -27,8 +27,8 @@ pub(super) const FIGURE: Figure = Figure {
     drawn: |sheet, _| draw(sheet),
 };
 
-const MIN: IVec2 = IVec2::new(2, 1);
-const MAX: IVec2 = IVec2::new(6, 4);
+const MIN: IVec2 = IVec2::new(1, 1);
+const MAX: IVec2 = IVec2::new(5, 4);
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
@@ -46,8 +46,7 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
             panel.min + DVec2::new(NUMBERS, 0.0),
             panel.max - DVec2::new(0.0, NUMBERS),
         );
-        let last = MAX + IVec2::new(2, 1);
-        let grid = Grid::fit(IVec2::ZERO, last, Orientation::Mathematical, frame);
+        let grid = Grid::fit(IVec2::ZERO, MAX + 1, Orientation::Mathematical, frame);
         grid.draw(sheet, &[(Role::Chosen.into(), on)]);
         grid.number_columns(sheet)?;
         grid.number_rows(sheet)?;

@@ -98,13 +98,8 @@ fn draw_rule(sheet: &mut Sheet, panel: Rect, rule: EdgeRule) -> Result<(), Figur
     }
     for (triangle, name) in [(a, "*A*"), (b, "*B*")] {
         let middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-        sheet.text(
-            grid.at(middle),
-            Align::Centre,
-            name,
-            1.25 * LABEL,
-            Role::Text,
-        )?;
+        let at = grid.centre(middle.floor().as_ivec2());
+        sheet.text(at, Align::Centre, name, 1.25 * LABEL, Role::Text)?;
     }
     Ok(())
 }

@@ -204,7 +204,7 @@ impl Proof {
             side(sheet, v, below);
         }
         if origin {
-            axes(sheet, &section, 84.0);
+            axes(sheet, &section, 64.0);
         }
 
         if self.at_infinity() {

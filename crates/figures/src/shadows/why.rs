@@ -66,7 +66,7 @@ pub(super) const FIGURE: Figure = Figure {
 /// From above, a little from the left of the picture.
 const LIGHT: DVec4 = DVec4::new(-0.40, 1.0, -0.26, 0.0);
 /// How far the hovering ball of radius 1 is from the resting one, towards the eye.
-const RISEN: f64 = 2.5;
+const RISEN: f64 = 2.0;
 /// Corners of its outline.
 const CORNERS: u32 = 72;
 
