@@ -37,9 +37,9 @@ use crate::bresenham::Octant;
 /// - max(|dx|, |dy|) + 1 pixels, the first `a`, the last `b`, one a column (|m| ≤ 1) or one a row (|m| > 1).
 /// - The pixels are those of [`bresenham::segment`](crate::bresenham::segment), ties included, for all segments
 ///   of up to 27 million moves: m, m x and the sum are each rounded once, u = 2⁻⁵³, so y is off by at most
-///   u (3dy + 1), which stays below the 1/(4dx) to the next boundary while 12dx² < 2⁵³. The shortest that was found to fail, among 3·10⁸ tried next to a boundary, is
-///   (0, 0)→(67111622, 67110111), at a tie.
-/// - `nth` jumps: a pixel needs none of those before it.
+///   u (3dy + 1), which stays below the 1/(4dx) to the next boundary while 12dx² < 2⁵³. The shortest that was found
+///   to fail, among 3·10⁸ tried next to a boundary, is (0, 0)→(67111622, 67110111), at a tie.
+/// - `nth` and `last` jump: a pixel needs none of those before it.
 /// - From `b` to `a` the pixels are the same but for ties: see [`bresenham`](crate::bresenham#reversing).
 ///
 /// # Pitfalls
@@ -135,9 +135,17 @@ impl<C: Count> Iterator for Pixels<C> {
     fn nth(&mut self, n: usize) -> Option<IVec2> {
         self.columns.nth(n).map(|x| self.at(x))
     }
+
+    fn last(mut self) -> Option<IVec2> {
+        self.columns.next_back().map(|x| self.at(x))
+    }
 }
 
 impl<C: Count> FusedIterator for Pixels<C> {}
+
+/// Not on 32-bit machines: the longest segments have 2³² pixels.
+#[cfg(target_pointer_width = "64")]
+impl<C: Count> ExactSizeIterator for Pixels<C> {}
 
 #[cfg(test)]
 mod tests {
@@ -157,6 +165,24 @@ mod tests {
         let pixels = segment(IVec2::ZERO, IVec2::new(-3, 8));
         let expected = [0, 0, -1, -1, -1, -2, -2, -3, -3];
         assert!(pixels.eq(expected.into_iter().zip(0..).map(IVec2::from)));
+    }
+
+    #[test]
+    fn the_last_pixel_and_the_number_are_known_at_once() {
+        let (a, b) = (IVec2::MIN, IVec2::new(i32::MAX, 5));
+        let mut work = Work::default();
+        assert_eq!(segment_counted(a, b, &mut work).last(), Some(b));
+        assert_eq!(work.multiplications, 1);
+        let mut short = segment(IVec2::ZERO, IVec2::new(8, 3));
+        assert_eq!(short.nth(6), Some(IVec2::new(6, 2)));
+        assert_eq!(short.size_hint(), (2, Some(2)));
+        assert_eq!(short.clone().last(), Some(IVec2::new(8, 3)));
+        assert_eq!(
+            (short.nth(2), short.clone().next(), short.last()),
+            (None, None, None)
+        );
+        #[cfg(target_pointer_width = "64")]
+        assert_eq!(segment(a, b).len(), 1 << 32);
     }
 
     #[test]

@@ -22,8 +22,8 @@ use crate::span::Span;
 ///
 /// # Properties
 ///
-/// Each is within 64ε of itself, with the exact sign, short of underflow: ≥ 0 inside and on the border, 0 on the opposite side alone.
-/// At a corner they are 1, 0, 0. Either winding gives the same weights.
+/// Each is within 64ε of itself, with the exact sign, short of underflow: ≥ 0 inside and on the border, 0 on the
+/// opposite side alone. At a corner they are 1, 0, 0. Either winding gives the same weights but for rounding.
 ///
 /// # Errors
 ///

@@ -21,3 +21,5 @@ pub mod polygon;
 pub mod rectangle;
 pub mod span;
 pub mod triangle;
+
+pub use span::Span;

@@ -27,15 +27,18 @@
 //! [`fill_plain`] is the method as it is told, and its steps can be looked at: [`edge_table`], then for each row
 //! [`active_edges`] and [`spans_between`]. [`fill`] gives the same spans. It follows each edge from row to row in
 //! rounded arithmetic, and asks the exact predicate only where a crossing comes so near a centre that rounding could
-//! move it past. Between two edges lies one run; the crossings of a few are sorted; those of many are marked in a
-//! table of one bit a pixel, 64 rows at a time, and read off from left to right, so that nothing is compared.
+//! move it past. Between two edges lies one run, and the crossings of a few are sorted. Many edges stand in the order of
+//! their crossings and take their steps side by side; where some cross, so that a row's columns come out of order, they
+//! are marked in a table of one bit a column and read off from left to right, or sorted where that would be more.
 
+mod active;
 mod edge;
+mod found;
 mod marks;
+mod row;
 mod scan;
 pub(crate) mod step;
 
-use core::cmp::Ordering;
 use core::fmt;
 use core::ops::Range;
 
@@ -166,9 +169,8 @@ pub fn outline(vertices: &[IVec2]) -> impl Iterator<Item = IVec2> {
 /// closed from its last vertex to its first; it may be concave, cross itself and others, repeat vertices. The
 /// spans of a row do not touch, so each is as long as it can be. Equal to [`fill_plain`].
 ///
-/// Lazy: memory for the edges, and where many are active, a table of 64 rows of at most 8192 columns; none that
-/// grows with the picture. Time for the edges, their crossings inside the picture and the spans; none for
-/// empty rows.
+/// Lazy: memory for the edges, in proportion to their number and not to the picture. Time for the edges, their crossings
+/// inside the picture, put in order row by row, and the spans; none for empty rows.
 ///
 /// # Pitfalls
 ///
@@ -346,10 +348,9 @@ pub fn active_edges(table: &[Edge], y: u32, width: u32) -> Vec<Crossing> {
             winding: edge.winding,
         })
         .collect();
-    crossings.sort_by(|a, b| {
-        let by_x = a.x.partial_cmp(&b.x).unwrap_or(Ordering::Equal);
-        a.column.cmp(&b.column).then(by_x)
-    });
+    // Only a record whose ends are not finite has NaN: the last in its column.
+    let by_x = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(a.is_nan().cmp(&b.is_nan()));
+    crossings.sort_by(|a, b| a.column.cmp(&b.column).then(by_x(a.x, b.x)));
     crossings
 }
 

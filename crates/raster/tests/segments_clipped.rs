@@ -174,6 +174,20 @@ fn extremes() {
     );
     assert_eq!(clipped(lo, hi, hi, hi).collect::<Vec<_>>(), [hi]);
     assert_eq!(clipped(hi, lo, hi, hi).collect::<Vec<_>>(), [hi]);
+    // A window of one pixel, in the middle of a segment as long as there is and beside it: what lies outside costs nothing
+    // but the entry.
+    let (a, b) = (lo, IVec2::new(i32::MAX, i32::MAX - 1));
+    for x in [-2, -1, 0, 1] {
+        for y in x - 2..=x + 2 {
+            let p = IVec2::new(x, y);
+            let mut work = Work::default();
+            let found: Vec<_> = clipped_counted(a, b, p, p, &mut work).collect();
+            let i = i128::from(x) - i128::from(i32::MIN);
+            let expected = if exact(a, b, i) == p { vec![p] } else { vec![] };
+            assert_eq!(found, expected, "{p}");
+            assert!(work.additions == 0 && work.divisions <= 3 && work.multiplications <= 4);
+        }
+    }
     // A point, inside and outside.
     assert_eq!(clipped(hi, hi, lo, hi).collect::<Vec<_>>(), [hi]);
     assert_eq!(clipped(hi, hi, lo, hi - 1).next(), None);

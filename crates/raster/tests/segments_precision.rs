@@ -45,6 +45,15 @@ fn f64_sums_hold_up_to_165_000_moves_but_not_for_ever() {
     assert!(!agree(IVec2::new(222_240, 209_800)));
 }
 
+/// Half a pixel is missed much later than the nearest of two: the largest sums, and a slope that is no double.
+#[test]
+fn f64_sums_end_at_the_end_up_to_90_million_moves() {
+    for dy in [89_999_999, 30_000_001] {
+        let b = IVec2::new(90_000_000, dy);
+        assert_eq!(dda::segment(IVec2::ZERO, b).last(), Some(b));
+    }
+}
+
 #[test]
 fn products_hold_up_to_27_million_moves_but_not_for_ever() {
     let wrong_at = |b: IVec2, i: usize| {

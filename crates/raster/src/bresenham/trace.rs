@@ -17,7 +17,7 @@ use super::{Pixels, segment};
 ///
 /// # Properties
 ///
-/// Max(|dx|, |dy|) steps. The pixels are where they are; the choices are the slide's octant's, so that E moves along
+/// Max(|dx|, |dy|) steps; `nth`, `last` and `count` jump. The pixels are where they are; the choices are the slide's octant's, so that E moves along
 /// the longer axis and NE along both, in whatever direction that is.
 ///
 /// # Pitfalls
@@ -113,6 +113,10 @@ impl Iterator for Trace {
         self.next()
     }
 
+    fn count(self) -> usize {
+        usize::try_from(self.pixels.left.saturating_sub(1)).unwrap_or(usize::MAX)
+    }
+
     fn nth(&mut self, n: usize) -> Option<Step> {
         let moves = self.pixels.left.saturating_sub(1);
         self.pixels.skip_moves(moves.min(n as u64));
@@ -181,6 +185,7 @@ mod tests {
     fn the_longest_segments_decisions() {
         let mut steps = trace(IVec2::MIN, IVec2::MAX);
         let run = i64::from(u32::MAX);
+        assert_eq!(steps.clone().count() as u64, u64::from(u32::MAX));
         assert_eq!(
             steps.next().map(|s| (s.decision, s.choice)),
             Some((run, NE))

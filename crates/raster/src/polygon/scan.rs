@@ -1,9 +1,8 @@
-//! The active edges, carried from band to band: the fast form of the fill.
+//! The active edges, carried from row to row: the fast form of the fill.
 //!
-//! Where few edges are active, rows are scanned up to the next one in which an edge begins or ends: two edges bound
-//! one run, the crossings of more are sorted. Where many are, each edge marks its crossings in a table of one bit a
-//! pixel, for a band of rows at once; the table then gives them in order, without a comparison. An edge left of the
-//! picture is no active edge: it changes the winding number with which rows begin.
+//! Rows are scanned up to the next one in which an edge begins or ends. Two edges bound one run; the crossings of a few
+//! are sorted; many are stepped side by side, in an order that holds until edges cross. An edge left of the picture is
+//! no active edge: it changes the winding number with which rows begin.
 
 use core::cmp::Reverse;
 use core::ops::Range;
@@ -11,13 +10,18 @@ use core::ops::Range;
 use ombra_math::work::{Count, Counter};
 
 use super::FillRule;
+use super::active::{Active, Entry};
 use super::edge::Edge;
-use super::marks::{Marks, ROWS, WIDEST};
-use super::step::Steps;
+use super::found::Found;
+use super::row::Row;
+use super::step::{Steps, WIDEST};
 use crate::span::Span;
 
-/// With fewer active edges than this, crossings are sorted and not marked.
-const FEW: usize = 16;
+/// From so many active edges on they are stepped side by side, down to half as many: to put edges in their places must
+/// pay.
+const MANY: usize = 10;
+/// Most rows that are scanned at once for a few edges.
+const ROWS: u32 = 64;
 
 /// Iterator over the spans of a fill.
 #[derive(Clone, Debug)]
@@ -30,19 +34,20 @@ pub(crate) struct Scan<C> {
     waiting: Vec<(u32, usize)>,
     /// Changes of the winding number at the left border, the next one last.
     left: Vec<(u32, i64)>,
-    /// Indices of the active edges.
-    active: Vec<usize>,
+    /// Indices of the active edges, while they are few; of many, those about to be taken in.
+    few: Vec<usize>,
+    /// The active edges, when they are many.
+    many: Active,
+    /// Those about to be so.
+    entries: Vec<Entry>,
+    /// Crossings of few edges.
+    crossings: Row,
     /// Winding number at the left border of the row.
     border: i64,
     /// The first row that has not been scanned.
     row: u32,
-    /// Crossings of one row: column, and what the winding number gains there.
-    crossings: Vec<(u32, i32)>,
-    /// Crossings of a band.
-    marks: Marks,
-    /// Spans that have been found, and how many of them have been given out.
-    found: Vec<Span>,
-    given: usize,
+    /// Spans to be given out.
+    found: Found,
     work: C,
 }
 
@@ -55,13 +60,13 @@ impl<C: Count> Scan<C> {
             edges: Vec::with_capacity(edges),
             waiting: Vec::with_capacity(edges),
             left: Vec::new(),
-            active: Vec::new(),
+            few: Vec::new(),
+            many: Active::default(),
+            entries: Vec::new(),
+            crossings: Row::default(),
             border: 0,
             row: 0,
-            crossings: Vec::new(),
-            marks: Marks::default(),
-            found: Vec::new(),
-            given: 0,
+            found: Found::default(),
             work,
         }
     }
@@ -102,60 +107,36 @@ impl<C: Count> Scan<C> {
         self.work.add(Counter::EdgeRecords, self.edges.len() as u64);
     }
 
-    /// Finds the spans of the next row, or rows, that can have some; `false` where there is none.
+    /// Finds the spans of the next rows that have some; `false` where there are none.
+    #[inline(never)]
     fn scan(&mut self) -> bool {
         self.found.clear();
-        self.given = 0;
-        if self.active.is_empty() && !self.rule.contains(self.border) {
-            // Empty rows cost nothing.
-            let begins = self.waiting.last().map(|waiting| waiting.0);
-            let changes = self.left.last().map(|left| left.0);
-            match begins.into_iter().chain(changes).min() {
-                Some(row) => self.row = self.row.max(row),
-                None => return false,
+        while self.found.is_empty() {
+            if self.few.is_empty() && self.many.is_empty() && !self.rule.contains(self.border) {
+                // Empty rows cost nothing.
+                match self.next_event() {
+                    Some(row) => self.row = self.row.max(row),
+                    None => break,
+                }
+            }
+            self.border_at(self.row);
+            self.take_in();
+            if !self.many.is_empty() {
+                self.scan_many();
+            } else if let &[a, b] = self.few.as_slice() {
+                self.scan_two([a, b]);
+            } else {
+                self.scan_few();
             }
         }
-        let first = self.row;
-        self.take_in(first);
-        if self.active.len() < FEW || self.width > WIDEST {
-            self.border_at(first);
-            let rows = first..self.next_change(first);
-            self.row = rows.end;
-            self.scan_rows(rows);
-        } else {
-            self.row = first.saturating_add(ROWS);
-            self.take_in(self.row - 1);
-            self.mark_band(first);
-        }
-        let (edges, end) = (&self.edges, self.row);
-        self.active
-            .retain(|&index| edges.get(index).is_some_and(|(_, s)| s.stepped.end > end));
-        true
+        !self.found.is_empty()
     }
 
-    /// The active edges.
-    fn active(&self) -> impl Iterator<Item = &(Edge, Steps)> {
-        self.active
-            .iter()
-            .filter_map(|&index| self.edges.get(index))
-    }
-
-    /// The first row after `row` where the active edges or the winding number at the left border are others; not
-    /// further than a band.
-    fn next_change(&self, row: u32) -> u32 {
+    /// The next row where an edge begins or the winding number at the left border changes.
+    fn next_event(&self) -> Option<u32> {
         let begins = self.waiting.last().map(|waiting| waiting.0);
         let changes = self.left.last().map(|left| left.0);
-        let ends = self.active().map(|(_, steps)| steps.stepped.end);
-        ends.chain(begins)
-            .chain(changes)
-            .fold(row.saturating_add(ROWS), u32::min)
-    }
-
-    /// Takes in the edges that begin up to `row`.
-    fn take_in(&mut self, row: u32) {
-        while let Some((_, index)) = self.waiting.pop_if(|waiting| waiting.0 <= row) {
-            self.active.push(index);
-        }
+        begins.into_iter().chain(changes).min()
     }
 
     /// Brings the winding number at the left border to `row`.
@@ -165,68 +146,122 @@ impl<C: Count> Scan<C> {
         }
     }
 
-    /// The spans of rows that the same few edges cross.
-    fn scan_rows(&mut self, rows: Range<u32>) {
-        let (rule, width, border) = (self.rule, self.width, self.border);
-        let crossings = self.active.len() as u64 * u64::from(rows.end - rows.start);
-        self.work.add(Counter::EdgeRecords, crossings);
-        if let &[a, b] = self.active.as_slice()
-            && let (Some((a, a_steps)), Some((b, b_steps))) = (self.edges.get(a), self.edges.get(b))
-            && !rule.contains(border)
-            && !rule.contains(border + i64::from(a.winding) + i64::from(b.winding))
-        {
-            // Outside on either side of two edges, as in every convex polygon: one run between them.
-            for y in rows {
-                let a = a_steps.stepped_column(a, y, width, &mut self.work);
-                let b = b_steps.stepped_column(b, y, width, &mut self.work);
-                if a != b {
-                    let x = a.min(b)..a.max(b);
-                    self.found.push(Span { y, x });
+    /// Takes in the edges that begin at the row.
+    fn take_in(&mut self) {
+        let row = self.row;
+        while let Some((_, index)) = self.waiting.pop_if(|waiting| waiting.0 <= row) {
+            self.few.push(index);
+        }
+        if !self.many.is_empty() || (self.few.len() >= MANY && self.width <= WIDEST) {
+            for index in self.few.drain(..) {
+                if let Some(edge) = self.edges.get(index) {
+                    self.entries.push(Entry::new(index, edge, row));
                 }
             }
-        } else {
-            for y in rows {
-                self.sort_row(y);
+            self.many.begin(&mut self.entries);
+        }
+    }
+
+    /// The spans of the next row that has some, of those that the same many edges cross.
+    fn scan_many(&mut self) {
+        let row = (self.rule, self.width, self.border);
+        let end = self
+            .next_event()
+            .unwrap_or(u32::MAX)
+            .min(self.many.next_end());
+        while self.row < end && self.found.is_empty() {
+            let (found, work) = (&mut self.found, &mut self.work);
+            (self.many).scan_row(self.row, row, &self.edges, found, work);
+            self.row += 1;
+        }
+        if self.row == self.many.next_end() {
+            let (row, edges, few) = (self.row, &self.edges, &mut self.few);
+            self.many.end_at(row, |index| {
+                if edges
+                    .get(index)
+                    .is_some_and(|(_, steps)| steps.stepped.end > row)
+                {
+                    few.push(index);
+                }
+            });
+            if self.many.len() < MANY / 2 {
+                self.few.extend(self.many.drain());
             }
         }
+    }
+
+    /// Rows that are crossed by the same few edges, the first of which ends at `end`.
+    fn rows_to(&self, end: u32) -> Range<u32> {
+        let end = self.next_event().map_or(end, |row| row.min(end));
+        self.row..end.min(self.row.saturating_add(ROWS))
+    }
+
+    /// The spans of rows that the same two edges cross.
+    fn scan_two(&mut self, indices: [usize; 2]) {
+        let [a, b] = indices.map(|index| self.edges.get(index));
+        let (Some((a, a_steps)), Some((b, b_steps))) = (a, b) else {
+            return self.few.clear();
+        };
+        let (rule, width, border) = (self.rule, self.width, self.border);
+        let after = border + i64::from(a.winding) + i64::from(b.winding);
+        if rule.contains(border) || rule.contains(after) {
+            return self.scan_few();
+        }
+        // Outside on either side of two edges, as in every convex polygon: one run between them.
+        let (a_end, b_end) = (a_steps.stepped.end, b_steps.stepped.end);
+        let rows = self.rows_to(a_end.min(b_end));
+        let mut kept = 0;
+        let spans = self.found.room(rows.len());
+        for y in rows.clone() {
+            let a = a_steps.stepped_column(a, y, width, &mut self.work);
+            let b = b_steps.stepped_column(b, y, width, &mut self.work);
+            if let Some(span) = spans.get_mut(kept) {
+                let x = a.min(b)..a.max(b);
+                *span = Span { y, x };
+            }
+            kept += usize::from(a != b);
+        }
+        self.found.keep(kept);
+        self.row = rows.end;
+        self.work
+            .add(Counter::EdgeRecords, 2 * u64::from(rows.end - rows.start));
+        if b_end == rows.end {
+            self.few.pop();
+        }
+        if a_end == rows.end {
+            self.few.swap_remove(0);
+        }
+    }
+
+    /// The spans of rows that the same few edges cross.
+    fn scan_few(&mut self) {
+        let ends = self
+            .few
+            .iter()
+            .filter_map(|&index| Some(self.edges.get(index)?.1.stepped.end));
+        let rows = self.rows_to(ends.fold(u32::MAX, u32::min));
+        for y in rows.clone() {
+            self.sort_row(y);
+        }
+        self.row = rows.end;
+        let crossings = self.few.len() as u64 * u64::from(rows.end - rows.start);
+        self.work.add(Counter::EdgeRecords, crossings);
+        let (edges, end) = (&self.edges, rows.end);
+        (self.few).retain(|&index| edges.get(index).is_some_and(|(_, s)| s.stepped.end > end));
     }
 
     /// The spans of one row, its crossings sorted.
     fn sort_row(&mut self, y: u32) {
-        self.crossings.clear();
-        for &index in &self.active {
-            if let Some((edge, steps)) = self.edges.get(index) {
-                let column = steps.stepped_column(edge, y, self.width, &mut self.work);
-                self.crossings.push((column, edge.winding));
-            }
+        let (rule, width, border) = (self.rule, self.width, self.border);
+        let columns = self.crossings.columns(self.few.len());
+        let active = self.few.iter().filter_map(|&index| self.edges.get(index));
+        for (column, (edge, steps)) in columns.iter_mut().zip(active.clone()) {
+            *column = steps.stepped_column(edge, y, width, &mut self.work);
         }
-        self.crossings.sort_unstable_by_key(|&(column, _)| column);
-        let mut runs = Runs::new(y, self.rule, self.border);
-        // All crossings of one column count before it is decided.
-        for group in self.crossings.chunk_by(|a, b| a.0 == b.0) {
-            let gain = group.iter().map(|&(_, gain)| i64::from(gain)).sum();
-            if let Some(&(column, _)) = group.first() {
-                runs.cross(column, gain, &mut self.found);
-            }
-        }
-        runs.finish(self.width, &mut self.found);
-    }
-
-    /// The spans of a band of rows that many edges cross.
-    fn mark_band(&mut self, first: u32) {
-        self.marks.begin(first, self.rule, self.width);
-        for &index in &self.active {
-            if let Some((edge, steps)) = self.edges.get(index) {
-                self.marks.add(edge, steps, &mut self.work);
-            }
-        }
-        for y in first..self.row {
-            self.border_at(y);
-            let mut runs = Runs::new(y, self.rule, self.border);
-            self.marks
-                .take_row(y, |column, gain| runs.cross(column, gain, &mut self.found));
-            runs.finish(self.width, &mut self.found);
-        }
+        self.crossings
+            .order(rule, width, border, active.map(|(edge, _)| edge.winding));
+        self.crossings
+            .spans(y, rule.contains(border), width, &mut self.found);
     }
 }
 
@@ -236,65 +271,13 @@ impl<C: Count> Iterator for Scan<C> {
     #[inline]
     fn next(&mut self) -> Option<Span> {
         loop {
-            if let Some(span) = self.found.get(self.given) {
-                self.given += 1;
+            if let Some(span) = self.found.take() {
                 self.work.add(Counter::Fragments, u64::from(span.len()));
-                return Some(span.clone());
+                return Some(span);
             }
             if !self.scan() {
                 return None;
             }
-        }
-    }
-}
-
-/// The spans of one row, from its crossings left to right.
-struct Runs {
-    y: u32,
-    mask: i64,
-    winding: i64,
-    /// Where the inside began, if the winding number is inside.
-    start: u32,
-}
-
-impl Runs {
-    #[inline(always)]
-    fn new(y: u32, rule: FillRule, border: i64) -> Self {
-        Self {
-            y,
-            mask: rule.mask(),
-            winding: border,
-            start: 0,
-        }
-    }
-
-    #[inline(always)]
-    fn cross(&mut self, column: u32, gain: i64, found: &mut Vec<Span>) {
-        let was_inside = self.winding & self.mask != 0;
-        self.winding += gain;
-        let inside = self.winding & self.mask != 0;
-        if inside && !was_inside {
-            self.start = column;
-        } else if was_inside && !inside {
-            self.finish_at(column, found);
-        }
-    }
-
-    /// Still inside after the last crossing: up to the right border.
-    #[inline(always)]
-    fn finish(self, width: u32, found: &mut Vec<Span>) {
-        if self.winding & self.mask != 0 {
-            self.finish_at(width, found);
-        }
-    }
-
-    #[inline(always)]
-    fn finish_at(&self, end: u32, found: &mut Vec<Span>) {
-        if self.start < end {
-            found.push(Span {
-                y: self.y,
-                x: self.start..end,
-            });
         }
     }
 }

@@ -10,10 +10,12 @@ use ombra_math::work::{Count, Counter};
 
 use super::edge::{Edge, first, first_centre};
 
-/// More than the error of a stepped crossing, see [`Steps::new`].
+/// More than the error of a stepped crossing, see [`Steps::near`].
 pub(super) const MARGIN: f64 = 1.0 / (1u64 << 14) as f64;
-/// Largest |x| of an end whose crossings are computed without exact arithmetic.
-const REACH: f64 = (1u64 << 33) as f64;
+/// Widest picture whose crossings are kept in fixed point, with room for as much again on either side.
+pub(super) const WIDEST: u32 = 1 << 30;
+/// Largest |x| of an end whose crossings are computed without exact arithmetic: in fixed point, and otherwise.
+const REACH: [f64; 2] = [WIDEST as f64, (1u64 << 33) as f64];
 /// An edge of more rows that leaves the picture is cut where it does.
 const MANY_ROWS: u32 = 1024;
 /// Adding it leaves no bit for a fraction: the sum is rounded to the nearest integer, kept in the low bits.
@@ -66,7 +68,8 @@ impl Steps {
         // With |x| ≤ B = 2³³ and u = 2⁻⁵³, the crossing in the first row is within 11 uB, the slope within 3u of
         // itself, the stepped crossing within 20 uB < 2⁻¹⁵. No vertical distance enters but as a ratio up to 1.
         let height = b.y - a.y;
-        let in_reach = least >= -REACH && most <= REACH && height < f64::INFINITY;
+        let reach = REACH[usize::from(width > WIDEST)];
+        let in_reach = least >= -reach && most <= reach && height < f64::INFINITY;
         let leaves = least <= 0.5 || most > last_centre;
         if !in_reach || (leaves && end - start > MANY_ROWS) {
             return None;

@@ -68,12 +68,12 @@ fn coordinate() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// About a picture of 83 or 90 pixels, and as far beyond it on either side.
-fn about_the_picture() -> impl Strategy<Value = f64> {
+/// About a side of so many pixels, and as far beyond it at either end.
+fn about(pixels: i32) -> impl Strategy<Value = f64> {
     prop_oneof![
-        3 => (-80i32..170).prop_map(|k| f64::from(k) + 0.5),
-        1 => (-320i32..680).prop_map(|k| f64::from(k) / 4.0),
-        1 => -80.0..170.0f64,
+        3 => (-pixels..2 * pixels).prop_map(|k| f64::from(k) + 0.5),
+        1 => (-4 * pixels..8 * pixels).prop_map(|k| f64::from(k) / 4.0),
+        1 => f64::from(-pixels)..f64::from(2 * pixels),
     ]
 }
 
@@ -162,6 +162,22 @@ proptest! {
         }
     }
 
+    /// Records that nobody checked: their fields are public.
+    #[test]
+    fn any_records_are_taken(ends in prop::collection::vec([ANY, ANY, ANY, ANY], 0..90), winding: i32, y: u32, width: u32) {
+        let table: Vec<_> = ends
+            .into_iter()
+            .map(|[a, b, c, d]| Edge { top: DVec2::new(a, b), bottom: DVec2::new(c, d), winding, rows: 0..u32::MAX })
+            .collect();
+        let crossings = active_edges(&table, y, width);
+        prop_assert_eq!(crossings.len(), if y < u32::MAX { table.len() } else { 0 });
+        prop_assert!(crossings.iter().all(|crossing| crossing.column <= width));
+        for rule in RULES {
+            let spans = spans_between(&crossings, rule, width);
+            prop_assert!(spans.iter().all(|span| span.start < span.end && span.end <= width));
+        }
+    }
+
     #[test]
     fn never_panics(vertices in prop::collection::vec([ANY, ANY], 0..12), width in any::<u32>(), height in 0..3000u32) {
         let contours = [vertices.into_iter().map(DVec2::from_array).collect::<Vec<_>>()];
@@ -183,13 +199,13 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// So many edges that a band is marked, in a narrow picture; in a wide one crossings are sorted.
+    /// So many edges that they are stepped side by side, in pictures where columns out of order are marked, sorted or either;
+    /// in the widest, few at a time.
     #[test]
     fn forms_agree_with_many_edges(contours in any_contours(20..60), scale in prop_oneof![Just(1.0), Just(9.7)],
-                                   wide in any::<bool>()) {
+                                   width in prop::sample::select(vec![83, 3000, step::WIDEST, step::WIDEST + 1])) {
         let contours: Contours = contours.iter().map(|c| c.iter().map(|&v| v * scale).collect()).collect();
         prop_assume!(contours.iter().flatten().all(|v| v.is_finite()));
-        let width = if wide { marks::WIDEST + 1 } else { 83 };
         for rule in RULES {
             let fast = spans(&contours, rule, width, 90);
             let plain: Vec<_> = fill_plain(&contours, rule, width, 90).unwrap().collect();
@@ -198,14 +214,31 @@ proptest! {
         }
     }
 
-    /// The same about the picture: most vertices on centres, so that edges meet centres, and many beyond its sides.
+    /// The same about the picture: most vertices on centres, so that edges meet centres, and many beyond its sides. So many
+    /// rows that edges out of order are sorted again.
     #[test]
-    fn forms_agree_in_bands(vertices in prop::collection::vec([about_the_picture(), about_the_picture()], 24..60)) {
+    fn forms_agree_in_many_rows(vertices in prop::collection::vec([about(83), about(200)], 16..60)) {
         let contours = [vertices.into_iter().map(DVec2::from_array).collect::<Vec<_>>()];
         for rule in RULES {
-            let fast = spans(&contours, rule, 83, 90);
-            let plain: Vec<_> = fill_plain(&contours, rule, 83, 90).unwrap().collect();
-            prop_assert!(are_in_form(&fast, 83, 90));
+            let fast = spans(&contours, rule, 83, 200);
+            let plain: Vec<_> = fill_plain(&contours, rule, 83, 200).unwrap().collect();
+            prop_assert!(are_in_form(&fast, 83, 200));
+            prop_assert_eq!(fast, plain);
+        }
+    }
+
+    /// Teeth round a point, whose edges never cross: a pair begins or ends every few rows, and all others keep their places.
+    #[test]
+    fn forms_agree_on_stars(teeth in 8..60u32, radii in prop::array::uniform2(5.0..110.0f64), turn in 0.0..1.0f64) {
+        let star: Vec<_> = (0..2 * teeth).zip(radii.into_iter().cycle()).map(|(i, radius)| {
+            let angle = std::f64::consts::TAU * (f64::from(i) + turn) / f64::from(2 * teeth);
+            let (sin, cos) = libm::sincos(angle);
+            DVec2::new(100.0 + radius * cos, 100.0 + radius * sin)
+        }).collect();
+        for rule in RULES {
+            let fast = spans(std::slice::from_ref(&star), rule, 180, 200);
+            let plain: Vec<_> = fill_plain(std::slice::from_ref(&star), rule, 180, 200).unwrap().collect();
+            prop_assert!(are_in_form(&fast, 180, 200));
             prop_assert_eq!(fast, plain);
         }
     }
