@@ -12,7 +12,7 @@ use ombra_math::glam::{DVec2, Vec2Swizzles};
 use ombra_math::predicates::orient_2d;
 use ombra_math::work::{Count, Counter};
 
-use crate::lanes::{Mask, and, equal, first_bits, less};
+use crate::lanes::Lanes;
 use crate::segment::Segment;
 use crate::window::{Line, Window};
 
@@ -189,7 +189,7 @@ pub(crate) fn order(
 /// y where x = `c`, on the way from (x₀, y₀) to (x₁, y₁), x₀ and x₁ on either side of c: the nearest double.
 pub(crate) fn at(c: f64, x: [f64; 2], y: [f64; 2]) -> f64 {
     let splat = DVec2::splat;
-    let (rounded, certain) = two_at(splat(c), x.map(splat), y.map(splat));
+    let (rounded, certain) = several_at(splat(c), x.map(splat), y.map(splat));
     if certain[0] != 0 {
         rounded.x
     } else {
@@ -208,45 +208,45 @@ fn at_carefully(c: f64, [x0, x1]: [f64; 2], y: [f64; 2]) -> f64 {
     }
 }
 
-/// Fast form: two answers of [`at`] at once, with a mask where they are certain.
+/// Fast form: several answers of [`at`] at once, with a mask where they are certain.
 ///
 /// With t cut to 24 bits and the differences to 29, their products fit doubles; the rest is below 2⁻²² of the whole
 /// and needs no more than a double. The error is below 2⁻⁷² (|y₀| + |y₁|). If the value moved by four times that to
 /// either side rounds to one double, so does the exact one.
 #[inline(always)]
-pub(crate) fn two_at(c: DVec2, [x0, x1]: [DVec2; 2], [y0, y1]: [DVec2; 2]) -> (DVec2, Mask) {
+pub(crate) fn several_at<L: Lanes>(c: L, [x0, x1]: [L; 2], [y0, y1]: [L; 2]) -> (L, L::Mask) {
     let (u, u_rest) = difference(c, x0);
     let (w, w_rest) = difference(x1, x0);
     let (v, v_rest) = difference(y1, y0);
-    let of_w = 1.0 / w;
-    let t = first_bits::<24>(u * of_w);
-    let (w1, v1) = (first_bits::<29>(w), first_bits::<29>(v));
+    let of_w = w.all(1.0) / w;
+    let t = (u * of_w).first_bits::<24>();
+    let (w1, v1) = (w.first_bits::<29>(), v.first_bits::<29>());
     // u − t w, of which only the first difference cancels, and that is exact.
     let rest = (u - t * w1) - t * (w - w1) + (u_rest - t * w_rest);
     let (y, y_rest) = sum(y0, t * v1);
     let small = y_rest + (t * (v - v1) + (rest * (v * of_w) + t * v_rest));
     let size = y0.abs() + y1.abs();
-    let slack = size * SLACK_72;
+    let slack = size * size.all(SLACK_72);
     let (low, high) = (y + (small - slack), y + (small + slack));
     // Then nothing overflows, and no product loses digits below the smallest double.
-    let in_range = and(
-        less(size + w.abs(), DVec2::splat(LARGE)),
-        less(DVec2::splat(1.0 / LARGE), size * w.abs()),
+    let in_range = L::and(
+        (size + w.abs()).less(size.all(LARGE)),
+        size.all(1.0 / LARGE).less(size * w.abs()),
     );
-    (low, and(equal(low, high), in_range))
+    (low, L::and(low.equal(high), in_range))
 }
 
 /// a + b, rounded, and what that leaves.
-#[inline]
-fn sum(a: DVec2, b: DVec2) -> (DVec2, DVec2) {
+#[inline(always)]
+fn sum<L: Lanes>(a: L, b: L) -> (L, L) {
     let s = a + b;
     let b_part = s - a;
     (s, (a - (s - b_part)) + (b - b_part))
 }
 
 /// a − b, rounded, and what that leaves.
-#[inline]
-fn difference(a: DVec2, b: DVec2) -> (DVec2, DVec2) {
+#[inline(always)]
+fn difference<L: Lanes>(a: L, b: L) -> (L, L) {
     let d = a - b;
     let a_part = d + b;
     (d, (a - a_part) - (b - (a_part - d)))
@@ -344,7 +344,7 @@ fn rounded(u: DoubleDouble, w: DoubleDouble, [y0, y1]: [f64; 2], slack: f64) -> 
 }
 
 /// 2²⁰⁰.
-const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
+pub(crate) const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
 
 #[cfg(test)]
 mod tests;

@@ -28,7 +28,7 @@
 //! | counter | one for each |
 //! | --- | --- |
 //! | comparisons | number that is held against another to decide: a coordinate against a side (four for a code or for "in the window"), n·p against 0, the parameter of one crossing against another's |
-//! | multiplications | product in such a decision: two for n·p in the plane and three in space; two for parameters, compared as fractions |
+//! | multiplications | product in such a decision: two for n·p in the plane, three in space, four for a homogeneous point; two for parameters, compared as fractions |
 //! | divisions | crossing that is computed, however many coordinates it has |
 //! | vertices | vertex of a polygon that is looked at; one that goes on to another side is looked at again |
 //!
@@ -41,6 +41,8 @@ pub mod cohen_sutherland;
 pub mod crossing;
 pub mod cyrus_beck;
 pub mod direct;
+#[cfg(test)]
+mod extremes;
 pub mod homogeneous;
 mod lanes;
 pub mod liang_barsky;

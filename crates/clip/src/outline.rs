@@ -21,6 +21,22 @@ impl Outline {
         }
     }
 
+    /// Whether none follows itself, for certain.
+    #[inline(always)]
+    pub(crate) fn is_settled(&self) -> bool {
+        self.settled == self.points.len()
+    }
+
+    /// Appends vertices; `new` if none of them equals the one before it.
+    #[inline(always)]
+    pub(crate) fn append(&mut self, vertices: &[DVec2], new: bool) {
+        let settled = new && self.is_settled();
+        self.points.extend_from_slice(vertices);
+        if settled {
+            self.settled = self.points.len();
+        }
+    }
+
     /// Takes out vertices that follow themselves.
     pub(crate) fn settle(&mut self) {
         let mut kept = self.settled.saturating_sub(1);

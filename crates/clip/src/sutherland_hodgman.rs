@@ -272,16 +272,27 @@ pub fn clip_against_line_counted(
 /// Grafica 3, «Clipping di un poligono»; Croatian 8.4, projected shadows (an object behind the plane).
 #[must_use]
 pub fn clip_against_plane(polygon: &[DVec3], plane: &Plane) -> Vec<DVec3> {
+    clip_against_plane_counted(polygon, plane, &mut ())
+}
+
+/// [`clip_against_plane`], counting its [work](crate#counted-work).
+#[must_use]
+pub fn clip_against_plane_counted(
+    polygon: &[DVec3],
+    plane: &Plane,
+    work: &mut impl Count,
+) -> Vec<DVec3> {
     if plane.normal == DVec3::ZERO {
         return Vec::new();
     }
+    work.add(Counter::Multiplications, 3 * polygon.len() as u64);
     let scaled: Vec<_> = polygon
         .iter()
         .map(|&v| dot(plane.coefficients(), point(v)))
         .collect();
     let sides = relative(&scaled);
     let vertices: Vec<_> = polygon.iter().copied().zip(sides).collect();
-    let clipped = clip_by(
+    let clipped = clip_by_counted(
         &vertices,
         |(_, side)| side,
         |(a, _), (b, _), sa, sb| {
@@ -289,6 +300,7 @@ pub fn clip_against_plane(polygon: &[DVec3], plane: &Plane) -> Vec<DVec3> {
             // Rounding may not leave the edge's box.
             ((a * wa + b * wb).max(a.min(b)).min(a.max(b)), 0.0)
         },
+        work,
     );
     clipped.into_iter().map(|(v, _)| v).collect()
 }
@@ -337,12 +349,24 @@ pub fn clip_against_plane(polygon: &[DVec3], plane: &Plane) -> Vec<DVec3> {
 /// «Clipping using homogeneous coordinates», 1978.
 #[must_use]
 pub fn clip_homogeneous(polygon: &[DVec4], plane: DVec4) -> Vec<DVec4> {
+    clip_homogeneous_counted(polygon, plane, &mut ())
+}
+
+/// [`clip_homogeneous`], counting its [work](crate#counted-work): four multiplications for π·P.
+#[must_use]
+pub fn clip_homogeneous_counted(
+    polygon: &[DVec4],
+    plane: DVec4,
+    work: &mut impl Count,
+) -> Vec<DVec4> {
+    work.add(Counter::Multiplications, 4 * polygon.len() as u64);
     let side = |p| incidence(plane, p).clamp(-f64::MAX, f64::MAX);
-    clip_by(polygon, side, |a, b, sa, sb| {
+    let cut = |a, b, sa: f64, sb: f64| {
         // Any multiple will do: the power of two that keeps the weights below ½ costs no digit.
         let exponent = -libm::ilogb(sa.max(-sb)) - 2;
         b * libm::scalbn(sa, exponent) - a * libm::scalbn(sb, exponent)
-    })
+    };
+    clip_by_counted(polygon, side, cut, work)
 }
 
 /// The shares of the inside and the outside vertex in the crossing, from s_in > 0 > s_out below 2.

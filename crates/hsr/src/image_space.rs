@@ -7,19 +7,20 @@
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/image-space-ray.svg"))]
 
+mod about;
 mod ray;
 
 use core::cmp::Ordering;
 
 use ombra_math::camera::{Camera, SightLine};
-use ombra_math::glam::{DVec2, DVec3, UVec2};
-use ombra_math::homogeneous::project;
+use ombra_math::glam::{DVec3, UVec2};
 use ombra_math::work::{Count, Counter, Work};
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
 use crate::picture::{IdBuffer, NOTHING, PictureError, background, number};
 use crate::polygon::Polygon;
+use about::{is_true, pixel_box};
 use ray::{Meeting, Ray, Target, is_within, order};
 
 /// Where a sight line meets a primitive.
@@ -132,7 +133,8 @@ pub fn hits_counted(polygons: &[Polygon], line: SightLine, work: &mut impl Count
 /// volume the nearest is the same.
 ///
 /// A ray is only intersected with the primitives whose outline in the picture lies about its pixel; rows of pixels run
-/// in parallel with the feature `parallel`. Equal to [`cast_plain`] where rounding moves no corner by a whole pixel.
+/// in parallel with the feature `parallel`. Equal to [`cast_plain`]: outlines are widened by their rounding, and a ray
+/// that rounding may carry off its pixel is intersected with all.
 ///
 /// # Pitfalls
 ///
@@ -248,7 +250,8 @@ pub fn cast_plain_counted(
     let mut picture = background(camera)?;
     let scene = Scene::new(polygons, camera)?;
     for (x, y, pixel) in picture.enumerate_pixels_mut() {
-        pixel.0 = [scene.cast_ray(UVec2::new(x, y), &scene.primitives, work)?];
+        let (_, ray) = scene.ray(UVec2::new(x, y))?;
+        pixel.0 = [scene.cast_ray(ray, &scene.primitives, work)];
     }
     Ok(picture)
 }
@@ -326,21 +329,23 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// The number of the nearest of `primitives` at a pixel.
+    /// The sight line of a pixel, and the ray it is.
+    fn ray(&self, pixel: UVec2) -> Result<(SightLine, Ray), PictureError> {
+        let line = self.camera.sight_line(pixel.as_dvec2() + 0.5);
+        line.and_then(|line| Some((line, Ray::new(line)?)))
+            .ok_or(PictureError::NoSightLine { pixel })
+    }
+
+    /// The number of the nearest of `primitives` on a ray.
     fn cast_ray<'p>(
         &self,
-        pixel: UVec2,
+        ray: Ray,
         primitives: impl IntoIterator<Item = &'p Primitive<'a>>,
         work: &mut impl Count,
-    ) -> Result<u32, PictureError>
+    ) -> u32
     where
         'a: 'p,
     {
-        let ray = self
-            .camera
-            .sight_line(pixel.as_dvec2() + 0.5)
-            .and_then(Ray::new)
-            .ok_or(PictureError::NoSightLine { pixel })?;
         work.add(Counter::Rays, 1);
         let mut nearest: Option<(&Primitive, Meeting)> = None;
         for primitive in primitives {
@@ -360,7 +365,7 @@ impl<'a> Scene<'a> {
                 nearest = Some((primitive, meeting));
             }
         }
-        Ok(nearest.map_or(NOTHING, |(primitive, _)| primitive.number))
+        nearest.map_or(NOTHING, |(primitive, _)| primitive.number)
     }
 
     /// A row of the picture, each ray with the primitives about its pixel only.
@@ -372,31 +377,21 @@ impl<'a> Scene<'a> {
             }
         }
         for (x, pixel) in (0..).zip(row) {
-            let here = about
-                .iter()
-                .filter(|&&(_, low, high)| low <= x && x <= high)
-                .map(|&(primitive, ..)| primitive);
-            *pixel = self.cast_ray(UVec2::new(x, y), here, work)?;
+            let place = UVec2::new(x, y);
+            let (line, ray) = self.ray(place)?;
+            let last = self.far.meet(&ray).map(|meeting| meeting.t);
+            *pixel = if is_true(line, last, place, self.camera) {
+                let here = about
+                    .iter()
+                    .filter(|&&(_, low, high)| low <= x && x <= high)
+                    .map(|&(primitive, ..)| primitive);
+                self.cast_ray(ray, here, work)
+            } else {
+                self.cast_ray(ray, &self.primitives, work)
+            };
         }
         Ok(())
     }
-}
-
-/// The pixels about a primitive's outline in the picture, one more on each side; all of them where it reaches behind
-/// the eye.
-fn pixel_box(corners: &[DVec3], camera: &Camera) -> [UVec2; 2] {
-    let last = UVec2::new(camera.viewport.width, camera.viewport.height);
-    let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-    for &corner in corners {
-        let p_clip = camera.to_clip(corner);
-        let Some(ndc) = project(p_clip).filter(|_| p_clip.w > 0.0) else {
-            return [UVec2::ZERO, last];
-        };
-        let p = camera.viewport.to_pixel(ndc).truncate();
-        (low, high) = (low.min(p), high.max(p));
-    }
-    // `as` takes what is beyond the picture to its rim; a box wholly outside holds no pixel, or one at the rim.
-    [(low - 1.0).as_uvec2(), (high + 1.0).as_uvec2()]
 }
 
 #[cfg(test)]

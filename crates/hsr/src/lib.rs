@@ -21,3 +21,5 @@ pub mod pair;
 pub mod picture;
 pub mod polygon;
 pub mod z_buffer;
+
+pub use polygon::Polygon;

@@ -5,11 +5,14 @@
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/object-space-pairs.svg"))]
 
-use ombra_math::glam::{DVec3, DVec4};
-use ombra_math::work::{Count, Counter};
+mod overlap;
 
-use crate::pair::{Pair, Seen, Side, compare_seen, tolerance};
+use ombra_math::glam::{DVec3, DVec4};
+use ombra_math::work::Count;
+
+use crate::pair::{Pair, Seen, Side, tolerance};
 use crate::polygon::Polygon;
+use overlap::{Overlap, overlaps};
 
 /// The visible parts of opaque `polygons` as seen from `eye`, each with the index of the polygon it is a part of.
 ///
@@ -19,8 +22,8 @@ use crate::polygon::Polygon;
 ///
 /// ```text
 /// for i = 1 … k − 1,  j = i + 1 … k:        the nearer of i and j hides of the other
-///     what lies inside the planes through the eye and the edges of the nearer,
-///     and, where they cross, beyond its plane
+///     what lies inside the planes through the eye and the edges of the nearer
+/// where they cross, each hides so on one side of the plane through the eye and their line
 /// ```
 ///
 /// A part is cut at one of those planes after the other; what lies outside it is visible and peeled off, and what
@@ -31,12 +34,12 @@ use crate::polygon::Polygon;
 /// - In the order of the polygons; a polygon of which all is visible comes out unchanged, its parts run round as it
 ///   does.
 /// - Each sight line that meets a polygon that is seen meets exactly one part at its inside, that of the nearest; a
-///   line within rounding of an edge, or of where an edge would go on, may meet two or none.
+///   line within rounding of an edge, of where an edge would go on, or of a line in which two cross, may meet two or none.
 /// - Parts lie inside their polygon: their corners are corners of it, or are cut out of its edges and parts, each cut
 ///   rounding to a few ε of the largest coordinate.
 /// - Polygons that touch at an edge or a corner do not cut each other: that is decided exactly.
 /// - Where two lie at the same depth (see [`compare`](crate::pair::compare)) the first in the slice is seen.
-/// - Where two interpenetrate, a fourth case beside the slide's three, each is cut by the plane of the other.
+/// - Where two interpenetrate, a fourth case beside the slide's three, each is cut at the line in which they cross.
 /// - An edge-on polygon has no visible part and hides nothing, nor does what is no polygon. Without an eye (0, NaN,
 ///   ∞, a place beyond the largest double) nothing is seen. Both sides of a polygon are seen: leave out
 ///   [back faces](crate::back_face) first.
@@ -46,11 +49,12 @@ use crate::polygon::Polygon;
 /// From a place all directions round the eye count, and there is no near plane: what lies behind the back of a camera
 /// is in the answer.
 ///
-/// O(k²) is the number of comparisons. The answer itself can grow as k² too: n strips over n strips leave n (n + 2)
-/// parts.
+/// O(k²) is the number of comparisons, and the pairs that overlap are kept until the end. The answer itself can grow as k²
+/// too: n strips over n strips leave n (n + 2) parts.
 ///
-/// Equal depth within a [`tolerance`] is not transitive: of three sheets, each within it of the next but the last
-/// nearer than the first, each is hidden by another, and nothing is seen there.
+/// Equal depth within a [`tolerance`] is not transitive: of three sheets, each within it of the next, the last may be
+/// nearer than the first, and each is hidden by another. One of them is seen all the same: the first is, until one comes
+/// that hides the one seen so far. So of many sheets that all but coincide the one seen may depend on their order.
 ///
 /// Convex parts are not the fewest or the largest ones: a window in the middle of a wall leaves four.
 ///
@@ -81,21 +85,27 @@ pub fn visible_parts(polygons: &[Polygon], eye: DVec4) -> Vec<(usize, Polygon)> 
     visible_parts_counted(polygons, eye, &mut ())
 }
 
-/// [`visible_parts`], with its [`Counter::Pairs`] counted: k (k − 1) / 2.
+/// [`visible_parts`], with its [`Counter::Pairs`](ombra_math::work::Counter::Pairs) counted: k (k − 1) / 2.
 #[must_use]
 pub fn visible_parts_counted(
     polygons: &[Polygon],
     eye: DVec4,
     work: &mut impl Count,
 ) -> Vec<(usize, Polygon)> {
-    let mut scene: Vec<Primitive> = polygons.iter().map(|p| Primitive::new(p, eye)).collect();
-    let mut rest = scene.as_mut_slice();
-    while let Some((first, others)) = rest.split_first_mut() {
-        for second in others.iter_mut() {
-            work.add(Counter::Pairs, 1);
-            first.meet(second);
+    let seen: Vec<_> = polygons.iter().map(|p| Seen::new(p, eye)).collect();
+    let overlaps = overlaps(&seen, work);
+    let whole = |(polygon, seen): (&Polygon, Option<Seen>)| Primitive {
+        parts: seen.iter().map(|_| polygon.vertices.clone()).collect(),
+        seen,
+    };
+    let mut scene: Vec<Primitive> = polygons.iter().zip(seen).map(whole).collect();
+    for (number, overlaps) in overlaps.iter().enumerate() {
+        let (before, from) = scene.split_at_mut(number);
+        for overlap in overlaps {
+            if let (Some(first), Some(second)) = (before.get_mut(overlap.with), from.first_mut()) {
+                first.meet(second, overlap);
+            }
         }
-        rest = others;
     }
     let parts = scene.into_iter().map(|primitive| primitive.parts);
     let numbered = parts.enumerate().flat_map(|(source, parts)| {
@@ -111,46 +121,42 @@ struct Primitive {
     parts: Vec<Vec<DVec3>>,
 }
 
-/// What two polygons at one depth get.
-#[derive(Clone, Copy, PartialEq)]
-enum Tie {
-    Seen,
-    Hidden,
-}
-
 impl Primitive {
-    fn new(polygon: &Polygon, eye: DVec4) -> Self {
-        let seen = Seen::new(polygon, eye);
-        let parts = seen.iter().map(|_| polygon.vertices.clone()).collect();
-        Self { seen, parts }
-    }
-
-    /// Takes from each what the other hides.
-    fn meet(&mut self, second: &mut Self) {
+    /// Takes from each what the other hides. `self` is submitted first, and so is seen at equal depth.
+    fn meet(&mut self, second: &mut Self, overlap: &Overlap) {
         let (Some(p), Some(q)) = (&self.seen, &second.seen) else {
             return;
         };
-        if self.parts.is_empty() && second.parts.is_empty() {
-            return;
-        }
-        match compare_seen(p, q) {
-            Pair::Apart => {}
-            Pair::FirstNearer | Pair::Coplanar => hide(&mut second.parts, q, p, None),
-            Pair::SecondNearer => hide(&mut self.parts, p, q, None),
-            Pair::Crossing => {
-                hide(&mut self.parts, p, q, Some(Tie::Seen));
-                hide(&mut second.parts, q, p, Some(Tie::Hidden));
+        let tolerance = tolerance(p.scale().max(q.scale()));
+        // Where they cross, the first is nearer on the front of a plane through the eye: the same for both.
+        let (first_hides, second_hides, border) = match overlap.pair {
+            Pair::Apart => return,
+            Pair::FirstNearer | Pair::Coplanar => (true, false, None),
+            Pair::SecondNearer => (false, true, None),
+            Pair::Crossing => match p.nearer_side(q) {
+                None => (true, false, None),
+                border => (true, true, border),
+            },
+        };
+        if first_hides && overlap.is_knotted {
+            let visible = self.parts.iter().filter_map(|part| p.part(part.clone()));
+            for part in visible {
+                hide(&mut second.parts, &part, border, tolerance);
             }
+        } else if first_hides {
+            hide(&mut second.parts, p, border, tolerance);
+        }
+        if second_hides {
+            hide(&mut self.parts, q, border.map(Side::turned), tolerance);
         }
     }
 }
 
-/// Takes from the parts of `of` what `nearer` hides: all that it covers, or what also lies beyond its plane.
-fn hide(parts: &mut Vec<Vec<DVec3>>, of: &Seen, nearer: &Seen, beyond: Option<Tie>) {
-    let tolerance = tolerance(of.scale().max(nearer.scale()));
+/// Takes from parts what `nearer` hides: all that it covers, or of that what is in front of `border`.
+fn hide(parts: &mut Vec<Vec<DVec3>>, nearer: &Seen, border: Option<Side>, tolerance: f64) {
     let mut visible = Vec::with_capacity(parts.len());
     for part in parts.drain(..) {
-        let peeled = peel(&part, nearer, beyond, tolerance);
+        let peeled = peel(&part, nearer, border, tolerance);
         match peeled {
             Some(pieces) => visible.extend(pieces),
             None => visible.push(part),
@@ -163,27 +169,17 @@ fn hide(parts: &mut Vec<Vec<DVec3>>, of: &Seen, nearer: &Seen, beyond: Option<Ti
 fn peel(
     part: &[DVec3],
     nearer: &Seen,
-    beyond: Option<Tie>,
+    border: Option<Side>,
     tolerance: f64,
 ) -> Option<Vec<Vec<DVec3>>> {
     // All on or outside one plane: the common case, and no reason to cut at the others.
     let misses = |side: Side| part.iter().all(|&v| side.distance(v) <= tolerance);
-    if nearer.sides().any(misses) {
+    if border.into_iter().chain(nearer.sides()).any(misses) {
         return None;
     }
     let mut pieces = Vec::new();
     let mut rest = part.to_vec();
-    if let Some(tie) = beyond {
-        let [before, behind] = nearer.front().split(&rest, tolerance);
-        let level = before.is_empty() && behind.is_empty();
-        if !level {
-            rest = behind;
-        } else if tie == Tie::Seen {
-            return None;
-        }
-        pieces.push(before);
-    }
-    for side in nearer.sides() {
+    for side in border.into_iter().chain(nearer.sides()) {
         let [inside, outside] = side.split(&rest, tolerance);
         pieces.push(outside);
         rest = inside;

@@ -66,7 +66,8 @@ use sort::DepthSort;
 ///   nearer by the other, and both are wrong somewhere.
 /// - What is decided exactly may surprise: rounded vertices at the pole of a sphere make slivers that do cross.
 /// - Equal depth within a tolerance is not transitive: three sheets, each within it of the next but the last nearer
-///   than the first, are a cycle.
+///   than the first, are a cycle. One of the ties would have to give way, and an order of wholes cannot say where;
+///   [`order_by_cutting`] settles it.
 ///
 /// # Errors
 ///

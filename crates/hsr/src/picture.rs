@@ -33,10 +33,12 @@ pub const NOTHING: u32 = u32::MAX;
 pub enum PictureError {
     /// The buffer is too large.
     Buffer(BufferError),
-    /// The camera has no eye: nothing is seen through a matrix that cannot be inverted.
+    /// The camera has no eye: a number of its matrix is NaN or infinite, or the matrix cannot be inverted.
     NoEye {
-        /// The last row of the matrix.
-        last_row: DVec4,
+        /// Which row of the matrix: the first that is not finite, or else the last.
+        row: usize,
+        /// What stands in it.
+        numbers: DVec4,
     },
     /// A pixel has no sight line, though the camera has an eye.
     NoSightLine {
@@ -66,9 +68,10 @@ impl fmt::Display for PictureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Buffer(error) => error.fmt(f),
-            Self::NoEye { last_row } => write!(
+            Self::NoEye { row, numbers } => write!(
                 f,
-                "the camera's matrix, with the last row {last_row}, has no eye; it must be finite and invertible"
+                "the camera's matrix, with {:?} in row {row}, has no eye; it must be finite and invertible",
+                numbers.to_array()
             ),
             Self::NoSightLine { pixel } => write!(
                 f,
@@ -217,8 +220,12 @@ pub fn polygons(mesh: &Mesh) -> Vec<Polygon> {
 /// An empty picture for `camera`, if it can take one.
 pub(crate) fn background(camera: &Camera) -> Result<IdBuffer, PictureError> {
     if camera.eye().is_none() {
+        let matrix = &camera.view_projection;
+        let row = (0..3).find(|&row| !matrix.row(row).is_finite());
+        let row = row.unwrap_or(3);
         return Err(PictureError::NoEye {
-            last_row: camera.view_projection.row(3),
+            row,
+            numbers: matrix.row(row),
         });
     }
     let viewport = camera.viewport;

@@ -118,7 +118,8 @@ impl Polygon {
     ///
     /// # Properties
     ///
-    /// Repeated vertices and straight corners are allowed. Three vertices only need a plane, which is decided exactly.
+    /// Repeated vertices and straight corners are allowed. That the vertices have a plane is decided exactly; of three
+    /// vertices no more is asked.
     ///
     /// # Errors
     ///
@@ -156,8 +157,7 @@ impl Polygon {
     ///
     /// # Errors
     ///
-    /// `None` where they are on one line, or a coordinate is not finite. Of three vertices that is decided exactly;
-    /// more count as on one line as well where their width is below 10⁻¹⁶⁰ of the largest coordinate.
+    /// `None` where they are on one line, which is decided exactly, or a coordinate is not finite.
     ///
     /// # Examples
     ///
@@ -194,35 +194,51 @@ impl Polygon {
 
     /// The span with its plane.
     pub(crate) fn span_and_plane(&self) -> Option<([DVec3; 3], Plane)> {
-        let first = *self.vertices.first()?;
-        let scale = self.scale();
-        // Differences of shares of the largest coordinate: no overflow.
-        let away = |v: DVec3| v / scale - first / scale;
-        let [farthest] = self.largest([0], |v| away(v).length_squared());
-        let line = away(*self.vertices.get(farthest)?);
-        let [third] = self.largest([farthest], |v| away(v).cross(line).length_squared());
-        let mut span = [0, farthest, third];
-        if self.vertices.len() == 3 {
-            span = [0, 1, 2];
+        if !self.vertices.iter().all(|v| v.is_finite()) {
+            return None;
         }
-        span.sort_unstable();
-        let [a, b, c] = span.map(|i| self.vertices.get(i).copied().unwrap_or(first));
-        let finite = self.vertices.iter().all(|v| v.is_finite());
-        let plane = Plane::of_triangle(a, b, c).filter(|_| finite)?;
-        Some(([a, b, c], plane))
+        let away = self.relative_to_first();
+        let elsewhere = || {
+            self.vertices
+                .iter()
+                .position(|v| Some(v) != self.vertices.first())
+        };
+        let farthest = largest(away.iter().map(|v| v.length_squared())).or_else(elsewhere)?;
+        let line = *away.get(farthest)?;
+        let third = largest(away.iter().map(|v| v.cross(line).length_squared()));
+        let through = |third: usize| {
+            let mut span = [0, farthest, third];
+            span.sort_unstable();
+            let [a, b, c] = span;
+            let span = [
+                *self.vertices.get(a)?,
+                *self.vertices.get(b)?,
+                *self.vertices.get(c)?,
+            ];
+            Some((span, Plane::of_triangle(span[0], span[1], span[2])?))
+        };
+        // Rounding may make a vertex on the line look the farthest from it, and lose one beside it.
+        third
+            .and_then(through)
+            .or_else(|| (1..away.len()).find_map(through))
     }
 
-    /// The index of the vertex with the largest value, or `none`.
-    fn largest(&self, none: [usize; 1], value: impl Fn(DVec3) -> f64) -> [usize; 1] {
-        let start = (none, 0.0);
-        let values = self.vertices.iter().map(|&v| value(v)).enumerate();
-        let (index, _) = values.fold(
-            start,
-            |(best, most), (i, x)| {
-                if x > most { ([i], x) } else { (best, most) }
-            },
-        );
-        index
+    /// The vertices as seen from the first, all by one power of two of a size at which products stay in range.
+    fn relative_to_first(&self) -> Vec<DVec3> {
+        let Some(&first) = self.vertices.first() else {
+            return Vec::new();
+        };
+        // Halves of large ones, so that no difference overflows.
+        let share = if self.scale() > 1.0 { 0.5 } else { 1.0 };
+        let away = |&v: &DVec3| share * v - share * first;
+        let size = |v: DVec3| v.abs().max_element();
+        let extent = self.vertices.iter().map(|v| size(away(v)));
+        let extent = extent.fold(0.0, f64::max);
+        let exponent = if extent > 0.0 { libm::ilogb(extent) } else { 0 };
+        let scaled = |x: f64| libm::scalbn(x, -exponent);
+        let all = self.vertices.iter().map(away);
+        all.map(|v| DVec3::from_array(v.to_array().map(scaled)))
+            .collect()
     }
 
     /// The largest coordinate, without its sign; 0 for no vertices.
@@ -351,6 +367,16 @@ impl Polygon {
             None => Ok(()),
         }
     }
+}
+
+/// The index of the largest value above 0, the first of equal ones.
+fn largest(values: impl Iterator<Item = f64>) -> Option<usize> {
+    let above = |best: Option<(usize, f64)>, (i, x)| match best {
+        Some((_, most)) if x <= most => best,
+        _ if x > 0.0 => Some((i, x)),
+        _ => best,
+    };
+    values.enumerate().fold(None, above).map(|(i, _)| i)
 }
 
 /// A corner that lies deeper than `tolerance` inside the line between its neighbours.

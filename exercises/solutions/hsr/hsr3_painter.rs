@@ -27,8 +27,8 @@ fn hides(front: &Stick, back: &Stick) -> bool {
 /// An order in which a painter can paint the sticks, each over those before it, or why there is none.
 ///
 /// - `Ok`: the index of every stick once, back to front: whatever hides a stick comes after it.
-/// - `Err`: a cycle: some of the sticks, each of which hides the next, and the last hides the first. Whichever of them is
-///   painted first will be covered by the one that it should hide.
+/// - `Err`: a cycle: some of the sticks, each named once, each of which hides the next, and the last hides the first.
+///   Whichever of them is painted first will be covered by the one that it should hide.
 ///
 /// The slide sorts by the distance from the viewer. One number a stick is not enough: a long one may be nearer than another as
 /// a whole and yet pass behind it.
@@ -181,6 +181,13 @@ mod tests {
         assert!(
             cycle.len() > 1 && cycle.iter().all(|&i| i < sticks.len()),
             "{what}: {cycle:?} is no cycle of these sticks"
+        );
+        let mut named = cycle.clone();
+        named.sort_unstable();
+        named.dedup();
+        assert!(
+            named.len() == cycle.len(),
+            "{what}: got {cycle:?}, but a cycle names each of its sticks once: it ends before the first comes again",
         );
         for (k, &i) in cycle.iter().enumerate() {
             let next = cycle[(k + 1) % cycle.len()];

@@ -1,16 +1,9 @@
 use super::*;
+use crate::extremes::{check, lecture, segment};
 use crate::oracle::{self, is_nearest, r, window_and_segment};
 use crate::{direct, liang_barsky};
 use ombra_math::work::Work;
 use proptest::prelude::*;
-
-fn lecture() -> Window {
-    Window::new(DVec2::ZERO, DVec2::splat(10.0)).unwrap()
-}
-
-fn segment(a: (f64, f64), b: (f64, f64)) -> Segment {
-    Segment::new(a.into(), b.into())
-}
 
 /// The answer of every method, which must be one.
 fn clip(window: &Window, s: Segment) -> Option<Segment> {
@@ -105,87 +98,7 @@ fn beside_a_corner() {
 
 #[test]
 fn degenerate() {
-    let w = lecture();
-    let (huge, tiny) = (f64::MAX, 5e-324);
-    let cases = [
-        // Points.
-        (
-            segment((5.0, 5.0), (5.0, 5.0)),
-            Some(segment((5.0, 5.0), (5.0, 5.0))),
-        ),
-        (
-            segment((10.0, 0.0), (10.0, 0.0)),
-            Some(segment((10.0, 0.0), (10.0, 0.0))),
-        ),
-        (segment((11.0, 5.0), (11.0, 5.0)), None),
-        (segment((-1.0, 11.0), (-1.0, 11.0)), None),
-        // Along a side, touching an end, just beyond.
-        (
-            segment((-5.0, 10.0), (15.0, 10.0)),
-            Some(segment((0.0, 10.0), (10.0, 10.0))),
-        ),
-        (
-            segment((0.0, 15.0), (0.0, -5.0)),
-            Some(segment((0.0, 10.0), (0.0, 0.0))),
-        ),
-        (segment((-5.0, -tiny), (15.0, -tiny)), None),
-        (
-            segment((10.0, 5.0), (15.0, 5.0)),
-            Some(segment((10.0, 5.0), (10.0, 5.0))),
-        ),
-        // Beyond what differences of doubles hold.
-        (
-            segment((-huge, 5.0), (huge, 5.0)),
-            Some(segment((0.0, 5.0), (10.0, 5.0))),
-        ),
-        (
-            segment((-huge, -huge), (huge, huge)),
-            Some(segment((0.0, 0.0), (10.0, 10.0))),
-        ),
-        (segment((-huge, huge), (huge, huge)), None),
-        (
-            segment((-1e308, 0.0), (1e308, 10.0)),
-            Some(segment((0.0, 5.0), (10.0, 5.0))),
-        ),
-        (
-            segment((tiny, tiny), (-tiny, tiny)),
-            Some(segment((tiny, tiny), (0.0, tiny))),
-        ),
-    ];
-    for (s, expected) in cases {
-        assert_eq!(clip(&w, s), expected, "{s:?}");
-    }
-    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for k in 0..4 {
-            let mut x = [5.0; 4];
-            x[k] = bad;
-            assert_eq!(clip(&w, segment((x[0], x[1]), (x[2], x[3]))), None, "{x:?}");
-        }
-    }
-    let dot = Window::new(DVec2::splat(5.0), DVec2::splat(5.0)).unwrap();
-    let at = Some(segment((5.0, 5.0), (5.0, 5.0)));
-    assert_eq!(clip(&dot, segment((0.0, 0.0), (10.0, 10.0))), at);
-    assert_eq!(
-        clip(&dot, segment((0.0, 0.0), (10.0, 10.0_f64.next_up()))),
-        None
-    );
-    assert_eq!(clip(&dot, segment((5.0, 0.0), (5.0, 9.0))), at);
-    let (min, max) = (DVec2::new(10.0, 0.0), DVec2::new(0.0, 10.0));
-    for by_hand in [
-        Window { min, max },
-        Window {
-            min: DVec2::NAN,
-            max,
-        },
-        Window {
-            min,
-            max: DVec2::NAN,
-        },
-    ] {
-        for (s, _) in cases {
-            assert_eq!(clip(&by_hand, s), None, "{by_hand:?} {s:?}");
-        }
-    }
+    check(clip);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
 
-use crate::crossing::two_at;
+use crate::crossing::several_at;
 use crate::lanes::{Mask, and, at_most, less, opaque, or, turn};
 use crate::window::Window;
 
@@ -66,7 +66,7 @@ pub(crate) fn two_entries(
     let [c, _] = turn(upright, corner_x, corner_y);
     let [_, low] = turn(upright, min_x, min_y);
     let [_, high] = turn(upright, max_x, max_y);
-    let (along, rounded) = two_at(c, [a, b], [along_a, along_b]);
+    let (along, rounded) = several_at(c, [a, b], [along_a, along_b]);
     let [x, y] = turn(upright, c, along);
     Entries {
         x,

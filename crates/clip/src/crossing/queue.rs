@@ -2,7 +2,7 @@
 
 use ombra_math::glam::DVec2;
 
-use crate::crossing::{at_carefully, two_at};
+use crate::crossing::{at_carefully, several_at};
 use crate::segment::Segment;
 use crate::window::Line;
 
@@ -51,7 +51,7 @@ impl Queue {
     pub(crate) fn fill(&mut self, points: &mut [DVec2]) {
         for first in (0..self.length).step_by(2) {
             let lanes = |x: &[f64; LENGTH]| DVec2::new(x[first], x[first | 1]);
-            let (found, certain) = two_at(
+            let (found, certain) = several_at(
                 lanes(&self.c),
                 [lanes(&self.across[0]), lanes(&self.across[1])],
                 [lanes(&self.along[0]), lanes(&self.along[1])],

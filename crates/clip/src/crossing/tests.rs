@@ -1,8 +1,8 @@
 use super::*;
-
-fn segment(a: (f64, f64), b: (f64, f64)) -> Segment {
-    Segment::new(a.into(), b.into())
-}
+use crate::extremes::segment;
+use crate::oracle::number;
+use fearless_simd::{Fallback, Level, Simd, SimdFrom, SimdMask, dispatch, f64x4};
+use proptest::prelude::*;
 
 #[test]
 fn degenerate() {
@@ -76,6 +76,87 @@ fn quick_comparison_is_the_exact_one() {
                 let turned = Segment::new(s.a.yx(), s.b.yx());
                 let line = Line::Horizontal(x);
                 assert_eq!(compare_quickly(turned, line, y), exact, "{s:?} {x} {y}");
+            }
+        }
+    }
+}
+
+/// Four crossings: across c from the first to the second end, and along.
+type Four = [[f64; 4]; 5];
+
+/// [`several_at`] in four lanes: the answers that are certain.
+#[inline(always)]
+fn four_at<S: Simd>(simd: S, [c, x0, x1, y0, y1]: Four) -> [Option<u64>; 4] {
+    let four = |x: [f64; 4]| f64x4::simd_from(simd, x);
+    let (y, certain) = several_at(four(c), [x0, x1].map(four), [y0, y1].map(four));
+    let certain = certain.to_bitmask();
+    core::array::from_fn(|i| (certain >> i & 1 != 0).then(|| y[i].to_bits()))
+}
+
+/// The same in two lanes, twice.
+fn twice_two_at([c, x0, x1, y0, y1]: Four) -> [Option<u64>; 4] {
+    let pair = |x: [f64; 4], i: usize| DVec2::new(x[i], x[i + 1]);
+    let at = |i: usize| {
+        let ends = |x: [f64; 4], y: [f64; 4]| [pair(x, i), pair(y, i)];
+        let (y, certain) = several_at(pair(c, i), ends(x0, x1), ends(y0, y1));
+        [0, 1].map(|lane| (certain[lane] != 0).then(|| y[lane].to_bits()))
+    };
+    let ([p, q], [r, s]) = (at(0), at(2));
+    [p, q, r, s]
+}
+
+/// Every form, which must agree.
+fn certain(four: Four) -> [Option<u64>; 4] {
+    let pairs = twice_two_at(four);
+    assert_eq!(four_at(Fallback::new(), four), pairs, "{four:?}");
+    assert_eq!(
+        dispatch!(Level::new(), simd => four_at(simd, four)),
+        pairs,
+        "{four:?}"
+    );
+    pairs
+}
+
+#[test]
+fn what_is_certain_at_once() {
+    let third = 1.0 / 3.0;
+    let four = [
+        [1.0; 4],
+        [0.0, 3.0, 0.0, 0.0],
+        [3.0, 0.0, 2.0, 2.0],
+        [0.0, 0.0, 1.0, 0.0],
+        [1.0, 1.0, 1.0, 0.0],
+    ];
+    // 1/3 and 2/3 of the way; a level segment; one along the axis, where 0 is left to a closer look.
+    let expected = [Some(third), Some(2.0 * third), Some(1.0), None];
+    assert_eq!(certain(four), expected.map(|y| y.map(f64::to_bits)));
+    // Halfway between doubles, past the largest, below the smallest, no number.
+    let (tie, huge, tiny) = (1.0_f64.next_up(), f64::MAX, 5e-324);
+    let four = [
+        [1.0, 0.0, tiny, 1.0],
+        [0.0, -huge, 0.0, 0.0],
+        [2.0, huge, 2.0 * tiny, f64::NAN],
+        [1.0, 0.0, 0.0, 0.0],
+        [tie, 1.0, 1.0, 1.0],
+    ];
+    assert_eq!(certain(four), [None; 4]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6000))]
+
+    #[test]
+    fn certain_is_the_nearest_double(across in prop::array::uniform4(prop::array::uniform3(number())), y0 in prop::array::uniform4(number()), y1 in prop::array::uniform4(number())) {
+        let across = across.map(|mut x| {
+            x.sort_by(f64::total_cmp);
+            x
+        });
+        let [x0, c, x1] = [0, 1, 2].map(|k| across.map(|x| x[k]));
+        for (i, found) in certain([c, x0, x1, y0, y1]).into_iter().enumerate() {
+            let (s0, s1) = ([[x0[i], 1.0], [-c[i], 1.0]], [[x1[i], 1.0], [-c[i], 1.0]]);
+            if let Some(found) = found {
+                let exact = exact(&s0, &s1, [y0[i], y1[i]]);
+                prop_assert_eq!(found, exact.to_bits(), "{} {}", f64::from_bits(found), exact);
             }
         }
     }

@@ -8,9 +8,12 @@ use ombra_math::work::{Count, Counter};
 
 use crate::cohen_sutherland::Outcode;
 use crate::crossing::{LENGTH, Queue, compare_quickly};
-use crate::outline::Outline;
+use crate::outline::{Outline, run};
 use crate::segment::Segment;
 use crate::window::{Line, Window};
+
+mod block;
+mod together;
 
 const ABOVE: u8 = Outcode::ABOVE.bits();
 const RIGHT: u8 = Outcode::RIGHT.bits();
@@ -62,9 +65,39 @@ impl<'a> Sides<'a> {
         }
     }
 
+    /// The edges between these vertices, of which the first has been reached and lies in the region `code`; the answer
+    /// is the region of the last.
+    pub(super) fn one_by_one(
+        &mut self,
+        mut code: Outcode,
+        vertices: &[DVec2],
+        work: &mut impl Count,
+    ) -> Outcode {
+        let Some((&first, mut after)) = vertices.split_first() else {
+            return code;
+        };
+        work.add(Counter::Vertices, after.len() as u64);
+        work.add(Counter::Comparisons, 4 * after.len() as u64);
+        let mut a = first;
+        loop {
+            // Within a run of vertices of one region no side is crossed.
+            let (length, next_code) = run(self.window, code, after);
+            let (inner, next) = after.split_at(length);
+            if let Some(&end) = inner.last() {
+                a = end;
+                self.go_on(inner, end, code);
+            }
+            let Some((&b, rest)) = next.split_first() else {
+                return code;
+            };
+            self.edge(Segment::new(a, b), [code, next_code], work);
+            (a, code, after) = (b, next_code, rest);
+        }
+    }
+
     /// Vertices in the region of the one before; `end` is the last of them.
     #[inline]
-    pub(super) fn go_on(&mut self, vertices: &[DVec2], end: DVec2, code: Outcode) {
+    fn go_on(&mut self, vertices: &[DVec2], end: DVec2, code: Outcode) {
         if code.is_inside() {
             self.out.points.extend_from_slice(vertices);
             if vertices.len() > LENGTH {
@@ -78,7 +111,7 @@ impl<'a> Sides<'a> {
 
     /// The edge to the next vertex, in another region.
     #[inline(always)]
-    pub(super) fn edge(&mut self, edge: Segment, codes: [Outcode; 2], work: &mut impl Count) {
+    fn edge(&mut self, edge: Segment, codes: [Outcode; 2], work: &mut impl Count) {
         let codes = codes.map(Outcode::bits);
         let along_edge = self.above_and_below(edge, codes, work);
         let [_, code] = codes;

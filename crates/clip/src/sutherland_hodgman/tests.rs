@@ -76,6 +76,56 @@ fn counts_its_work() {
 }
 
 #[test]
+fn counts_its_work_in_space() {
+    let square = [
+        v(0.0, 0.0, 1.0),
+        v(4.0, 0.0, 1.0),
+        v(4.0, 4.0, 1.0),
+        v(0.0, 4.0, 1.0),
+    ];
+    let numbers = |work: Work| {
+        [
+            work.vertices,
+            work.comparisons,
+            work.multiplications,
+            work.divisions,
+        ]
+    };
+    let count = |x: f64, y: f64, z: f64, d| {
+        let plane = Plane {
+            normal: v(x, y, z),
+            d,
+        };
+        let [mut places, mut homogeneous] = [Work::default(); 2];
+        let answer = clip_against_plane_counted(&square, &plane, &mut places);
+        assert_eq!(answer, clip_against_plane(&square, &plane));
+        let lifted = square.map(point);
+        let p = plane.coefficients();
+        let answer = clip_homogeneous_counted(&lifted, p, &mut homogeneous);
+        assert_eq!(answer, clip_homogeneous(&lifted, p));
+        [places, homogeneous].map(numbers)
+    };
+    // Four vertices, one sign for each, three products and four. Across two sides of the square; along one; beyond it.
+    let none = [[4, 4, 12, 0], [4, 4, 16, 0]];
+    assert_eq!(count(1.0, 0.0, 0.0, -1.0), [[4, 4, 12, 2], [4, 4, 16, 2]]);
+    assert_eq!(count(1.0, 0.0, 0.0, 0.0), none);
+    assert_eq!(count(0.0, 0.0, 1.0, -2.0), none);
+    // Through two corners; through one, and across a side.
+    assert_eq!(count(1.0, -1.0, 0.0, 0.0), none);
+    assert_eq!(count(2.0, -1.0, 0.0, 0.0), [[4, 4, 12, 1], [4, 4, 16, 1]]);
+    // A plane without a normal is none: nothing is asked. Nor of no vertices.
+    let nowhere = Plane {
+        normal: DVec3::ZERO,
+        d: 1.0,
+    };
+    for (polygon, plane) in [(&square[..], nowhere), (&[], Plane::GROUND)] {
+        let mut work = Work::default();
+        assert_eq!(clip_against_plane_counted(polygon, &plane, &mut work), []);
+        assert_eq!(numbers(work), [0; 4]);
+    }
+}
+
+#[test]
 fn degenerate_lines() {
     let square = points([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
     let line = |x, y, offset| HalfPlane {

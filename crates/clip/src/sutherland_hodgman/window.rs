@@ -2,13 +2,14 @@
 
 use core::cmp::Ordering;
 
+use fearless_simd::{Fallback, Level, Simd, dispatch};
 use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
 
 use super::sides::Sides;
 use crate::cohen_sutherland::outcode;
 use crate::crossing::{compare, cut};
-use crate::outline::{Outline, edges, is_finite, run};
+use crate::outline::{Outline, edges, is_finite};
 use crate::segment::Segment;
 use crate::window::{Line, Side, Window};
 
@@ -69,33 +70,46 @@ pub fn clip_polygon_counted(
     polygon: &[DVec2],
     work: &mut impl Count,
 ) -> Vec<DVec2> {
-    let Some((&first, mut after)) = polygon.split_first() else {
+    if polygon.len() < MANY {
+        return clip_at(None::<Fallback>, window, polygon, work);
+    }
+    dispatch!(Level::new(), simd => clip_at(Some(simd), window, polygon, work))
+}
+
+/// From so many vertices on, vector instructions pay for the choice among them.
+const MANY: usize = 64;
+
+/// Fast form: with vector instructions, compiled for each set of them, or without. All compute the same numbers.
+#[inline(always)]
+pub(super) fn clip_at<S: Simd>(
+    simd: Option<S>,
+    window: &Window,
+    polygon: &[DVec2],
+    work: &mut impl Count,
+) -> Vec<DVec2> {
+    let (Some(&first), Some(&last)) = (polygon.first(), polygon.last()) else {
         return Vec::new();
     };
-    if !is_finite(polygon) || !window.has_area() {
+    if !first.is_finite() || !window.has_area() {
         return Vec::new();
     }
     let mut sides = Sides::new(window, polygon.len());
     let first_code = outcode(window, first);
+    work.add(Counter::Vertices, 1);
+    work.add(Counter::Comparisons, 4);
     sides.start(first, first_code);
-    let (mut a, mut code) = (first, first_code);
-    loop {
-        // Within a run of vertices of one region no side is crossed.
-        let (length, next_code) = run(window, code, after);
-        work.add(Counter::Vertices, length as u64 + 1);
-        work.add(Counter::Comparisons, 4 * (length as u64 + 1));
-        let (inner, next) = after.split_at(length);
-        if let Some(&end) = inner.last() {
-            a = end;
-            sides.go_on(inner, end, code);
-        }
-        let Some((&b, rest)) = next.split_first() else {
-            break;
-        };
-        sides.edge(Segment::new(a, b), [code, next_code], work);
-        (a, code, after) = (b, next_code, rest);
+    let blocks = match simd {
+        Some(simd) => sides.blocks(simd, first_code, polygon, work),
+        None => Some((first_code, polygon)),
+    };
+    let Some((code, rest)) = blocks else {
+        return Vec::new();
+    };
+    if !is_finite(rest) {
+        return Vec::new();
     }
-    sides.close(Segment::new(a, first), [code, first_code], work)
+    let code = sides.one_by_one(code, rest, work);
+    sides.close(Segment::new(last, first), [code, first_code], work)
 }
 
 /// [`clip_polygon`] in its plain form, one pass for each side, counting its [work](crate#counted-work).

@@ -2,7 +2,7 @@ use super::*;
 use crate::picture::{compare, paint, polygons};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use ombra_math::glam::{DMat4, DVec4};
+use ombra_math::glam::{DMat4, DVec2, DVec4};
 use ombra_math::predicates::orient_3d;
 use ombra_math::solids::{cuboid, torus};
 use ombra_math::view::{Viewport, frustum, look_at, orthographic, perspective};
@@ -312,6 +312,69 @@ fn degenerate() {
             found.iter().map(|h| (h.primitive, h.t)).collect::<Vec<_>>(),
             [(0, 2.0 * scale), (1, 2.0 * scale)]
         );
+    }
+}
+
+/// A scene of size 8 at 10¹² to 10¹⁶: corners come out pixels away from where they are, and rays beside their pixels.
+#[test]
+fn fast_is_plain_far_from_the_origin() {
+    let mut state = 88_172_645_463_325_252u64;
+    let mut next = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1u64 << 53) as f64 * 8.0 - 4.0
+    };
+    for (round, exponent) in (12..17).cycle().take(40).enumerate() {
+        let far = libm::pow(10.0, f64::from(exponent)) * DVec3::new(1.0, -0.7, 0.4);
+        let scene: Vec<_> = (0..12)
+            .map(|_| Polygon {
+                vertices: [(); 3]
+                    .map(|()| far + DVec3::new(next(), next(), next()))
+                    .to_vec(),
+            })
+            .collect();
+        let near = camera(round % 2 == 0, DVec3::new(9.0, 4.0, 12.0), 24);
+        let camera = Camera {
+            view_projection: near.view_projection * DMat4::from_translation(-far),
+            ..near
+        };
+        assert_eq!(
+            cast(&scene, &camera),
+            cast_plain(&scene, &camera),
+            "{round}"
+        );
+    }
+}
+
+/// A line is its pixel's where neither its beginning nor its end is seen beside it.
+#[test]
+fn lines_beside_their_pixel_are_told() {
+    for parallel in [false, true] {
+        let camera = camera(parallel, DVec3::new(9.0, 4.0, 12.0), 24);
+        let pixel = UVec2::new(7, 13);
+        let line = |x: f64, y: f64| camera.sight_line(DVec2::new(x, y)).unwrap();
+        let own = line(7.5, 13.5);
+        let is_own = |line| is_true(line, Some(19.0), pixel, &camera);
+        assert!(is_own(own) && is_own(line(7.9, 13.1)));
+        for (x, y) in [(6.5, 13.5), (8.5, 13.5), (7.5, 12.5), (7.5, 14.5)] {
+            let other = line(x, y);
+            assert!(!is_own(other), "{x} {y}");
+            // From the one to the other.
+            let end = other.origin + 19.0 * other.direction;
+            let direction = (end - own.origin) / 19.0;
+            let slanted = SightLine { direction, ..own };
+            assert!(!is_own(slanted), "{x} {y}");
+            assert!(
+                parallel
+                    || !is_own(SightLine {
+                        origin: other.origin,
+                        ..own
+                    }),
+                "{x} {y}"
+            );
+        }
+        assert!(!parallel || !is_true(own, None, pixel, &camera));
     }
 }
 

@@ -49,6 +49,21 @@ impl Eye {
             Self::Towards(towards) => plane_along(a, b, towards).map(|plane| plane.turned()),
         }
     }
+
+    /// The plane of the eye and the line in which two planes cross: π(E) ρ − ρ(E) π, each coefficient rounded once.
+    pub(super) fn plane_of_pencil(self, pi: Plane, rho: Plane) -> Option<Plane> {
+        let eye = match self {
+            Self::Place(place) => place.extend(1.0),
+            Self::Towards(towards) => towards.extend(0.0),
+        };
+        let (pi, rho) = (pi.coefficients(), rho.coefficients());
+        let minor = |i: usize, j: usize| {
+            let factor = eye[j];
+            [[pi[j], factor, rho[i]], [-rho[j], factor, pi[i]]]
+        };
+        let coefficient = |i: usize| Sum::of(&[0, 1, 2, 3].map(|j| minor(i, j)).concat());
+        plane_of([0, 1, 2, 3].map(coefficient))
+    }
 }
 
 /// The sign of (AB × AC)·e.
@@ -89,13 +104,17 @@ fn plane_along(a: DVec3, b: DVec3, e: DVec3) -> Option<Plane> {
     let determinant = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
         .map(|(i, j, k)| [[-a[i], b[j], e[k]], [a[j], b[i], e[k]]])
         .concat();
-    let sums = [
+    plane_of([
         component(1, 2),
         component(2, 0),
         component(0, 1),
         Sum::of(&determinant),
-    ];
-    let scaled = sums.each_ref().map(Sum::to_scaled);
+    ])
+}
+
+/// The plane of these coefficients, each rounded once; `None` for no plane.
+fn plane_of(coefficients: [Sum; 4]) -> Option<Plane> {
+    let scaled = coefficients.each_ref().map(Sum::to_scaled);
     let plane = match *relative(&scaled) {
         [x, y, z, d] => Plane {
             normal: DVec3::new(x, y, z),

@@ -62,12 +62,23 @@ pub(super) struct Edge {
     inside: Side,
 }
 
+/// The sine of an angle of a degree.
+const ONE_DEGREE: f64 = 0.017_45;
+
 impl Seen {
     /// `polygon` as seen from `eye`, or `None` where it is not: its plane holds the eye, it is no polygon, or that is
     /// no eye (0, NaN, ∞, a place beyond the largest double).
     #[must_use]
     pub fn new(polygon: &Polygon, eye: DVec4) -> Option<Self> {
-        let eye = Eye::new(eye)?;
+        Self::from_eye(polygon, Eye::new(eye)?)
+    }
+
+    /// A part of it as seen from the same eye, or `None` where that has no area.
+    pub(crate) fn part(&self, vertices: Vec<DVec3>) -> Option<Self> {
+        Self::from_eye(&Polygon { vertices }, self.eye)
+    }
+
+    fn from_eye(polygon: &Polygon, eye: Eye) -> Option<Self> {
         let (mut span, mut plane) = polygon.span_and_plane()?;
         let [a, b, c] = span;
         let mut vertices = polygon.vertices.clone();
@@ -115,6 +126,42 @@ impl Seen {
     /// The planes through the eye and its edges, their fronts inside.
     pub fn sides(&self) -> impl Iterator<Item = Side> {
         self.edges.iter().map(|edge| edge.inside)
+    }
+
+    /// The plane through the eye and the line in which the two planes cross, its front where this one is nearer.
+    ///
+    /// ```text
+    /// Σ = π(E) π' − π'(E) π          E: the eye, homogeneous     π, π': the planes, their fronts towards E
+    /// ```
+    ///
+    /// On π it has the sign of π', on π' the opposite one of π. `None` where the planes are parallel.
+    pub(crate) fn nearer_side(&self, other: &Self) -> Option<Side> {
+        Side::of(
+            self.eye
+                .plane_of_pencil(self.front.plane(), other.front.plane())?,
+        )
+    }
+
+    /// Whether the two are sheets that nearly lie in each other: their planes at an angle below 1°, and neither of
+    /// them wholly on one side of the other's plane by more than what counts as equally deep.
+    ///
+    /// Who is nearer is then a matter of rounding. At a larger angle it is so along the line in which they cross only.
+    pub(crate) fn clings_to(&self, other: &Self) -> bool {
+        if self.front.sine(&other.front) > ONE_DEGREE {
+            return false;
+        }
+        let slack = self.warp() + other.warp() + tolerance(self.scale.max(other.scale));
+        let clear = |of: &Self, from: Side| {
+            let distances = || of.vertices.iter().map(|&v| from.distance(v));
+            distances().all(|d| d > slack) || distances().all(|d| d < -slack)
+        };
+        !clear(self, other.front) && !clear(other, self.front)
+    }
+
+    /// How far vertices lie off the plane.
+    fn warp(&self) -> f64 {
+        let distances = self.vertices.iter().map(|&v| self.front.distance(v).abs());
+        distances.fold(0.0, f64::max)
     }
 
     /// Where the vertices of `other` lie from this plane.

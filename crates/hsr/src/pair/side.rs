@@ -46,6 +46,19 @@ impl Side {
         }
     }
 
+    /// Its plane.
+    pub(super) fn plane(&self) -> Plane {
+        Plane {
+            normal: self.normal,
+            d: self.d,
+        }
+    }
+
+    /// The sine of the angle between two planes.
+    pub(super) fn sine(&self, other: &Self) -> f64 {
+        16.0 * self.normal.cross(other.normal).length()
+    }
+
     /// How far `v` lies from the plane, negative behind it.
     #[inline]
     #[must_use]

@@ -34,7 +34,8 @@ pub struct Difference {
 /// Edges are those of what lies in the view volume: a cut at the near plane is one. Distances are rounded: a few ε
 /// times the size of the picture to an edge; to A ∩ C that divided by the sine of the angle between A and C in clip
 /// space. Where that angle is below 64 ε, A and C are coplanar: if they are A and B they cross everywhere, 0; otherwise
-/// nowhere.
+/// nowhere. Every pixel that differs is held against every edge and plane: d (e + k) distances for d pixels, e edges and k
+/// polygons.
 ///
 /// # Errors
 ///

@@ -134,6 +134,23 @@ fn what_cannot_be_painted() {
         assert!(matches!(error, PictureError::NoEye { .. }));
         assert!(error.to_string().contains("has no eye"), "{error}");
     }
+    for (matrix, sentence) in [
+        (
+            DMat4::from_diagonal(DVec4::new(1.0, f64::NAN, 1.0, 1.0)),
+            "the camera's matrix, with [0.0, NaN, 0.0, 0.0] in row 1, has no eye; it must be finite and invertible",
+        ),
+        (
+            DMat4::from_diagonal(DVec4::new(1.0, 0.0, 1.0, 1e-300)),
+            "the camera's matrix, with [0.0, 0.0, 0.0, 1e-300] in row 3, has no eye; it must be finite and invertible",
+        ),
+    ] {
+        let camera = Camera {
+            view_projection: matrix,
+            ..good
+        };
+        let error = paint([], &camera).unwrap_err();
+        assert_eq!(error.to_string(), sentence);
+    }
     let error = paint([], &flat(u32::MAX, u32::MAX)).unwrap_err();
     assert!(error.to_string().contains("4294967295"), "{error}");
     let [small, large] = [3, 4].map(|size| paint([], &flat(size, 3)).unwrap());

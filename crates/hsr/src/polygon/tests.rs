@@ -223,3 +223,50 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_needle_has_a_plane_however_thin_and_wherever_it_is() {
+    // Four vertices, of which three are on one line and the last is beside it by one part in 10¹⁷ of the length.
+    for d in [(10.0, 8.0), (11.0, 4.0), (11.0, 5.0)] {
+        let (o, d) = (DVec3::new(1.0, 2.0, 0.0), DVec3::new(d.0, d.1, 0.0));
+        let beside = o + 2.0 * d + DVec3::Z / f64::from(1u32 << 31) / f64::from(1u32 << 20);
+        let needle = Polygon::new(vec![o, o + d, o + 3.0 * d, beside]).unwrap();
+        assert_eq!(needle.span(), Some([o, o + 3.0 * d, beside]));
+        assert!(needle.plane().is_some());
+    }
+    // Far away, thin and small: x for all four, and a width; 2⁻¹⁰⁷⁴ is the smallest there is.
+    for (x, length, width) in [
+        (180, 0, -180),
+        (0, 0, -600),
+        (1023, -1074, -1074),
+        (1023, 1023, -1074),
+        (-1074, -1074, -1074),
+    ] {
+        let [x, l, w] = [x, length, width].map(|e| libm::scalbn(1.0, e));
+        let corner = |y: f64, z: f64| DVec3::new(x, y, z);
+        let corners = [
+            corner(0.0, 0.0),
+            corner(l, 0.0),
+            corner(l, w),
+            corner(0.0, w),
+        ];
+        let rectangle = Polygon {
+            vertices: corners.to_vec(),
+        };
+        let normal = rectangle.plane().unwrap().normal;
+        assert!(
+            normal.x > 0.0 && normal.y == 0.0 && normal.z == 0.0,
+            "{x:e} {l:e} {w:e}: {normal}"
+        );
+        let flat = Polygon {
+            vertices: [
+                corner(0.0, 0.0),
+                corner(l, 0.0),
+                corner(0.0, 0.0),
+                corner(l, 0.0),
+            ]
+            .to_vec(),
+        };
+        assert_eq!(flat.plane(), None, "{x:e} {l:e}");
+    }
+}

@@ -59,6 +59,8 @@ pub enum DrawError {
         found: usize,
         /// How many there must be.
         expected: usize,
+        /// What there must be one for: `"triangles"` or `"vertices"`.
+        of: &'static str,
     },
 }
 
@@ -95,9 +97,13 @@ impl fmt::Display for DrawError {
                 "a picture of {} × {} pixels is too large to draw: a side has at most {MAX_SIDE}",
                 size.0, size.1
             ),
-            Self::Colours { found, expected } => write!(
+            Self::Colours {
+                found,
+                expected,
+                of,
+            } => write!(
                 f,
-                "there are {found} colours; there must be {expected}, one each"
+                "the number of colours is {found}, but that of the mesh's {of} is {expected}; each needs one"
             ),
         }
     }

@@ -2,9 +2,7 @@
 
 use core::ops::Range;
 
-use fearless_simd::{
-    Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f64x4, mask64x4,
-};
+use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f64x4, mask64x4};
 use ombra_math::work::{Count, Counter};
 
 use super::format::DepthFormat;
@@ -70,7 +68,7 @@ impl<F: DepthFormat, I: Paint> Band<'_, F, I> {
         paint: I,
         work: &mut impl Count,
     ) {
-        dispatch!(Level::new(), simd => self.draw_with(simd, scene, triangles, cull, paint, work));
+        dispatch!(scene.level, simd => self.draw_with(simd, scene, triangles, cull, paint, work));
     }
 
     /// [`Band::draw`], compiled for each set of vector instructions. None of them rounds otherwise than one
@@ -88,7 +86,7 @@ impl<F: DepthFormat, I: Paint> Band<'_, F, I> {
         let mut fragments = 0;
         let mut cut = Pieces::default();
         for triangle in triangles {
-            for (piece, weights) in scene.pieces::<F>(triangle, &mut cut, work).iter() {
+            for (piece, weights) in scene.pieces(triangle, &mut cut, work).iter() {
                 let Some(ready) = self.ready(triangle, piece, weights, cull, paint) else {
                     continue;
                 };

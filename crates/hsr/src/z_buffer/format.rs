@@ -8,6 +8,25 @@ use ombra_raster::buffers::image::Primitive;
 
 /// A way to store depths; the z-buffer is one and the same for all.
 ///
+/// Sealed: the formats are [`Depth16`], [`Depth24`], [`Depth32F`] and [`ReversedDepth32F`]. The fast form of the z-buffer
+/// relies on more than these methods say.
+///
+/// ```compile_fail,E0277
+/// use ombra_hsr::z_buffer::DepthFormat;
+///
+/// #[derive(Clone, Copy, Debug)]
+/// struct Mine;
+/// impl DepthFormat for Mine {
+///     type Stored = u8;
+///     const NAME: &'static str = "8 bits";
+///     const REVERSED: bool = false;
+///     const FAR: u8 = 255;
+///     fn encode(value: f64) -> u8 { (255.0 * value) as u8 }
+///     fn decode(stored: u8) -> f64 { f64::from(stored) / 255.0 }
+///     fn spacing(_: f64) -> f64 { 1.0 / 255.0 }
+/// }
+/// ```
+///
 /// # Formula
 ///
 /// ```text
@@ -19,9 +38,10 @@ use ombra_raster::buffers::image::Primitive;
 ///
 /// # Pitfalls
 ///
-/// 1 − d computed from a stored d gains nothing: the digits are gone. Nor can w − z have more digits than the clip
-/// coordinates, doubles, leave it: 1 − d is wrong by a few 2⁻⁵³. Where it is below some 10⁻⁹, far away with a near
-/// plane at less than 10⁻⁹ of the far one, that is more than the format's own step.
+/// 1 − d computed from a stored d gains nothing: the digits are gone. Nor does w − z from clip coordinates, doubles that
+/// are all but the same far away. The z-buffer takes w ± z from the rows of the matrix: it has all digits, of the depth
+/// that this matrix stands for. A matrix is made of rounded numbers too, and its near and far planes are a little off:
+/// 1 − d as a whole may be wrong by a share of some ε · distance / near, alike for all that is drawn with this matrix.
 ///
 /// # Examples
 ///
@@ -39,7 +59,7 @@ use ombra_raster::buffers::image::Primitive;
 /// # References
 ///
 /// Grafica 3, «Algoritmo Z-Buffer». The reversed format is in no deck.
-pub trait DepthFormat: Copy + Debug + Send + Sync + 'static {
+pub trait DepthFormat: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     /// A stored depth.
     type Stored: Primitive + Debug + Send + Sync + 'static;
 
@@ -49,10 +69,6 @@ pub trait DepthFormat: Copy + Debug + Send + Sync + 'static {
     const REVERSED: bool;
     /// The stored value of the far plane, which a cleared buffer holds.
     const FAR: Self::Stored;
-
-    /// A value that is nearer than nothing: beyond the far plane.
-    #[doc(hidden)]
-    const NEVER: f64 = if Self::REVERSED { -1.0 } else { 2.0 };
 
     /// A value 0 … 1, of depth or 1 − depth as the format wants it, as it is stored: rounded to nearest. What lies
     /// outside is taken to the nearer end by the formats in bits, and kept by those in floating point.
@@ -76,12 +92,36 @@ pub trait DepthFormat: Copy + Debug + Send + Sync + 'static {
         if Self::is_nearer(a, b) { a } else { b }
     }
 
-    /// The value that is interpolated and stored, of a point in clip space; 0 … 1 between near and far.
+    /// The value of a point in clip space; 0 … 1 between near and far.
     #[inline(always)]
     fn value(p_clip: DVec4) -> f64 {
         let z = if Self::REVERSED { -p_clip.z } else { p_clip.z };
         // Halved first: 2w may be beyond the largest double.
         (0.5 * p_clip.w + 0.5 * z) / p_clip.w
+    }
+}
+
+/// Keeps implementations inside.
+pub(super) mod sealed {
+    pub trait Sealed {
+        /// A value that is nearer than nothing: beyond the far plane.
+        const NEVER: f64;
+    }
+
+    impl Sealed for super::Depth16 {
+        const NEVER: f64 = 2.0;
+    }
+
+    impl Sealed for super::Depth24 {
+        const NEVER: f64 = 2.0;
+    }
+
+    impl Sealed for super::Depth32F {
+        const NEVER: f64 = 2.0;
+    }
+
+    impl Sealed for super::ReversedDepth32F {
+        const NEVER: f64 = -1.0;
     }
 }
 

@@ -2,12 +2,13 @@
 
 use fearless_simd::{Simd, f64x4};
 use num_traits::{ToPrimitive, Zero};
+use ombra_math::mesh::Mesh;
 use ombra_raster::buffers::image::{Pixel, Primitive};
 
 use super::LANES;
 use super::screen::Weights;
 use super::setup::Setup;
-use super::{Blend, Colours};
+use super::{Blend, Colours, DrawError};
 
 /// A pixel that pictures are drawn with: any [`Pixel`] that threads may share.
 pub trait PicturePixel: Pixel<Subpixel: Send + Sync> + Send + Sync {}
@@ -254,12 +255,20 @@ fn stored<T: Primitive>(value: f64) -> Option<T> {
 }
 
 impl<P> Colours<'_, P> {
-    /// How many colours there are, and how many of what there must be.
-    pub(super) fn lengths(&self, triangles: usize, vertices: usize) -> Option<(usize, usize)> {
-        match self {
-            Self::One(_) => None,
-            Self::PerTriangle(colours) => Some((colours.len(), triangles)),
-            Self::PerVertex(colours) => Some((colours.len(), vertices)),
+    /// Whether there are as many as there must be.
+    pub(super) fn check(&self, mesh: &Mesh) -> Result<(), DrawError> {
+        let (found, expected, of) = match self {
+            Self::One(_) => return Ok(()),
+            Self::PerTriangle(colours) => (colours.len(), mesh.triangles.len(), "triangles"),
+            Self::PerVertex(colours) => (colours.len(), mesh.positions.len(), "vertices"),
+        };
+        if found == expected {
+            return Ok(());
         }
+        Err(DrawError::Colours {
+            found,
+            expected,
+            of,
+        })
     }
 }

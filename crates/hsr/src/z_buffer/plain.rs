@@ -21,7 +21,7 @@ pub(super) fn draw<F: DepthFormat, I: Paint>(
     let mut cut = Pieces::default();
     for triangle in 0..scene.triangles.len() {
         let mut fragments = 0;
-        for (piece, weights) in scene.pieces::<F>(triangle, &mut cut, work).iter() {
+        for (piece, weights) in scene.pieces(triangle, &mut cut, work).iter() {
             let Some(setup) = Setup::new(piece, cull) else {
                 continue;
             };

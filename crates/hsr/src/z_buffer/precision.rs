@@ -108,9 +108,8 @@ pub fn depth_at(near: f64, far: f64, distance: f64) -> Option<f64> {
 ///
 /// # Pitfalls
 ///
-/// This is the format's share. Depths come from clip coordinates, which are rounded doubles, so a v below some 10⁻⁹ has
-/// less than 24 digits: with near and far at 10⁻⁶ and 10⁶, reversed, surfaces at 10⁵ may fight when hundreds of steps
-/// apart.
+/// This is the format's share. Coordinates have theirs: positions are doubles, and corners are snapped to sub-pixels, so
+/// the depth of a slanted surface is that of a place 2⁻⁹ of a pixel aside.
 ///
 /// # Errors
 ///

@@ -83,9 +83,10 @@ impl Screen {
 
     /// Whether all came out finite. Inlined where it is compiled for the processor's vector instructions.
     #[inline(always)]
-    fn transform<F: DepthFormat>(
+    fn transform(
         &self,
         matrix: DMat4,
+        depth_row: DVec4,
         positions: &[DVec3],
         corners: &mut [Corner],
         codes: &mut [Outcode],
@@ -95,7 +96,7 @@ impl Screen {
             let p_clip = matrix * position.extend(1.0);
             all_finite &= p_clip.is_finite();
             *code = self.outcode(p_clip);
-            *corner = self.corner::<F>(p_clip);
+            *corner = self.corner(p_clip, along(depth_row, position));
         }
         all_finite
     }
@@ -115,19 +116,40 @@ impl Screen {
             | u8::from(!inside) << 6
     }
 
-    /// Where a point with w > 0 inside the guard band comes out; any other gets some place.
+    /// Where a point with w > 0 inside the guard band comes out, of which `depth` is w times the depth; any other gets
+    /// some place.
     #[inline(always)]
-    fn corner<F: DepthFormat>(&self, p: DVec4) -> Corner {
+    fn corner(&self, p: DVec4, depth: f64) -> Corner {
         let [x, y] = [p.x / p.w, p.y / p.w];
         let x = 0.5 * (x + 1.0) * self.width;
         let y = 0.5 * (1.0 - y) * self.height;
         Corner {
             x: nearest_subpixel(x),
             y: nearest_subpixel(y),
-            value: F::value(p),
+            // In the view volume, but rounded otherwise than the clip coordinates.
+            value: if depth > 0.0 { depth / p.w } else { 0.0 },
             w: p.w,
         }
     }
+}
+
+/// The row of coefficients that gives w times the depth, as the format wants it.
+///
+/// ```text
+/// w d = (w + z) / 2 = ½ (m₄ + m₃)·P          reversed: ½ (m₄ − m₃)·P          mᵢ: row i of the matrix
+/// ```
+///
+/// w − z from clip coordinates, both rounded, would leave nothing far away, where it is small beside them. Most of it is
+/// known before: in a perspective view m₄ − m₃ is all but a constant, and the depth all but a multiple of 1 / w.
+fn depth_row<F: DepthFormat>(matrix: DMat4) -> DVec4 {
+    let (z, w) = (0.5 * matrix.row(2), 0.5 * matrix.row(3));
+    if F::REVERSED { w - z } else { w + z }
+}
+
+/// A row of the matrix times a position.
+#[inline(always)]
+fn along(row: DVec4, p: DVec3) -> f64 {
+    row.x * p.x + row.y * p.y + row.z * p.z + row.w
 }
 
 /// ⌊x · 2⁸ + ½⌋ for |x| < 2¹⁸.
@@ -154,7 +176,10 @@ pub(super) struct Scene<'a> {
     pub(super) triangles: &'a [[u32; 3]],
     positions: &'a [DVec3],
     matrix: DMat4,
+    depth_row: DVec4,
     screen: Screen,
+    /// The vector instructions to draw with; they make no difference to the picture.
+    pub(super) level: Level,
     corners: Vec<Corner>,
     codes: Vec<Outcode>,
 }
@@ -164,6 +189,7 @@ impl<'a> Scene<'a> {
     pub(super) fn new<F: DepthFormat>(
         mesh: &'a Mesh,
         camera: &Camera,
+        level: Level,
         work: &mut impl Count,
     ) -> Result<Self, DrawError> {
         check_indices(mesh)?;
@@ -179,20 +205,22 @@ impl<'a> Scene<'a> {
             triangles: &mesh.triangles,
             positions: &mesh.positions,
             matrix,
+            depth_row: depth_row::<F>(matrix),
             screen: Screen::new(camera.viewport),
+            level,
             corners: vec![Corner::default(); vertices],
             codes: vec![0; vertices],
         };
-        scene.transform::<F>()?;
+        scene.transform()?;
         work.add(Counter::Vertices, vertices as u64);
         Ok(scene)
     }
 
-    fn transform<F: DepthFormat>(&mut self) -> Result<(), DrawError> {
-        let (matrix, screen) = (self.matrix, self.screen);
+    fn transform(&mut self) -> Result<(), DrawError> {
+        let (rows, screen, level) = ((self.matrix, self.depth_row), self.screen, self.level);
         let part = |positions: &[DVec3], corners: &mut [Corner], codes: &mut [Outcode]| {
-            let level = Level::new();
-            dispatch!(level, _ => screen.transform::<F>(matrix, positions, corners, codes))
+            let (matrix, row) = rows;
+            dispatch!(level, _ => screen.transform(matrix, row, positions, corners, codes))
         };
         let all_finite = transform_all(self.positions, &mut self.corners, &mut self.codes, part);
         if all_finite {
@@ -202,7 +230,7 @@ impl<'a> Scene<'a> {
             if !position.is_finite() {
                 return Err(DrawError::Position { vertex, position });
             }
-            if !(matrix * position.extend(1.0)).is_finite() {
+            if !(self.matrix * position.extend(1.0)).is_finite() {
                 return Err(DrawError::Overflow { vertex, position });
             }
         }
@@ -218,7 +246,7 @@ impl<'a> Scene<'a> {
     /// Triangle `i` in the picture: no piece if it is outside the view volume, one if it need not be clipped. What
     /// clipping makes is put into `cut`.
     #[inline(always)]
-    pub(super) fn pieces<'b, F: DepthFormat>(
+    pub(super) fn pieces<'b>(
         &'b self,
         i: usize,
         cut: &'b mut Pieces,
@@ -244,7 +272,7 @@ impl<'a> Scene<'a> {
                 weights: &[WHOLE],
             };
         }
-        self.clip::<F>(*triangle, cut, work);
+        self.clip(*triangle, cut, work);
         PiecesRef {
             corners: &cut.corners,
             triangles: &cut.triangles,
@@ -271,13 +299,13 @@ impl<'a> Scene<'a> {
 
     /// The pieces of a triangle that the near plane, the far plane or the guard band cut: a fan.
     #[cold]
-    fn clip<F: DepthFormat>(&self, triangle: [u32; 3], cut: &mut Pieces, work: &mut impl Count) {
+    fn clip(&self, triangle: [u32; 3], cut: &mut Pieces, work: &mut impl Count) {
         let scale = DVec4::new(self.screen.guard.x, self.screen.guard.y, 1.0, 1.0);
         let mut polygon = [Vertex {
             position: DVec4::ZERO,
-            attributes: [0.0; 3],
+            attributes: [0.0; 4],
         }; 3];
-        for ((vertex, index), weights) in polygon.iter_mut().zip(triangle).zip(WHOLE) {
+        for ((vertex, index), [a, b, c]) in polygon.iter_mut().zip(triangle).zip(WHOLE) {
             let position = self
                 .positions
                 .get(index as usize)
@@ -285,13 +313,16 @@ impl<'a> Scene<'a> {
                 .unwrap_or_default();
             *vertex = Vertex {
                 position: self.matrix * position.extend(1.0) / scale,
-                attributes: weights,
+                attributes: [a, b, c, along(self.depth_row, position)],
             };
         }
         let clipped = clip_polygon(&polygon);
         let new = clipped.iter().filter(|v| !polygon.contains(v)).count();
         work.add(Counter::Vertices, new as u64);
-        let corner_of = |v: &Vertex<3>| self.screen.corner::<F>(v.position * scale);
+        let corner_of = |v: &Vertex<4>| {
+            let [.., depth] = v.attributes;
+            self.screen.corner(v.position * scale, depth)
+        };
         cut.corners.clear();
         cut.corners.extend(clipped.iter().map(corner_of));
         cut.triangles.clear();
@@ -299,8 +330,10 @@ impl<'a> Scene<'a> {
         let fan = (1u32..).zip(clipped.iter().skip(1).zip(clipped.iter().skip(2)));
         for ((i, (second, third)), first) in fan.zip(clipped.first().into_iter().cycle()) {
             cut.triangles.push([0, i, i + 1]);
-            cut.weights
-                .push([first, second, third].map(|v| v.attributes));
+            cut.weights.push([first, second, third].map(|v| {
+                let [a, b, c, _] = v.attributes;
+                [a, b, c]
+            }));
         }
     }
 }

@@ -10,6 +10,7 @@ use super::*;
 
 mod drawing;
 mod exact;
+mod levels;
 mod order;
 mod precision;
 

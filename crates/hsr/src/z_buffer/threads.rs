@@ -29,6 +29,15 @@ pub(super) fn number(triangles: usize) -> usize {
     }
 }
 
+/// Places in the lists of a batch at most: 32 MiB of them, however many triangles there are and however tall.
+const PLACES: usize = 1 << 24;
+
+/// How many triangles are sorted into `bands` at once.
+fn batch(bands: usize) -> usize {
+    let chunks = PLACES / CHUNK / bands.max(1);
+    chunks.max(1) * CHUNK
+}
+
 /// Draws the whole scene into `whole`, on `threads` threads.
 pub(super) fn draw<F: DepthFormat, I: Paint>(
     scene: &Scene<'_>,
@@ -37,37 +46,64 @@ pub(super) fn draw<F: DepthFormat, I: Paint>(
     whole: Band<'_, F, I>,
     threads: usize,
 ) {
-    let height = whole.rows.end;
     let rows = (whole.rows.len().div_ceil(threads * BANDS)).max(ROWS);
-    let bands: Vec<_> = whole.split(rows).collect();
-    let expected = scene
-        .triangles
-        .len()
-        .min(CHUNK)
-        .checked_div(bands.len())
-        .unwrap_or(0);
-    // For each chunk of triangles, for each band: which of them are in it.
-    let chunks: Vec<Vec<Vec<usize>>> = scene
-        .triangles
-        .par_chunks(CHUNK)
-        .enumerate()
-        .map(|(chunk, triangles)| {
-            let mut bins: Vec<_> = bands.iter().map(|_| Vec::with_capacity(expected)).collect();
-            for (i, triangle) in (chunk * CHUNK..).zip(triangles) {
+    let batch = batch(whole.rows.len().div_ceil(rows));
+    draw_bands(scene, cull, paint, whole, rows, batch);
+}
+
+/// [`draw`] in bands of `rows` rows, `batch` triangles at a time.
+pub(super) fn draw_bands<F: DepthFormat, I: Paint>(
+    scene: &Scene<'_>,
+    cull: Cull,
+    paint: I,
+    whole: Band<'_, F, I>,
+    rows: usize,
+    batch: usize,
+) {
+    let height = whole.rows.end;
+    let mut bands: Vec<_> = whole.split(rows).collect();
+    let count = bands.len();
+    let expected = scene.triangles.len().min(CHUNK) / count.max(1);
+    for (number, triangles) in scene.triangles.chunks(batch).enumerate() {
+        // For each chunk of triangles, for each band: which of them are in it, counted from the chunk's first.
+        let bins_of = |triangles: &[[u32; 3]]| {
+            let mut bins: Vec<_> = (0..count).map(|_| Vec::with_capacity(expected)).collect();
+            for (i, triangle) in (0u16..).zip(triangles) {
                 let reach = scene.rows(triangle, height);
-                let (first, end) = (
-                    reach.start as usize / rows,
-                    (reach.end as usize).div_ceil(rows),
-                );
+                let first = reach.start as usize / rows;
+                let end = (reach.end as usize).div_ceil(rows);
                 for bin in bins.iter_mut().take(end).skip(first) {
                     bin.push(i);
                 }
             }
             bins
-        })
-        .collect();
-    bands.into_par_iter().enumerate().for_each(|(b, mut band)| {
-        let bins = chunks.iter().filter_map(|bins| bins.get(b));
-        band.draw(scene, bins.flatten().copied(), cull, paint, &mut ());
-    });
+        };
+        let chunks: Vec<Vec<Vec<u16>>> = triangles.par_chunks(CHUNK).map(bins_of).collect();
+        let starts = (number * batch..).step_by(CHUNK);
+        bands.par_iter_mut().enumerate().for_each(|(b, band)| {
+            let bins = starts.clone().zip(&chunks);
+            let numbers = bins.flat_map(|(start, bins)| {
+                let bin = bins.get(b).map_or(&[][..], Vec::as_slice);
+                bin.iter().map(move |&i| start + usize::from(i))
+            });
+            band.draw(scene, numbers, cull, paint, &mut ());
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every triangle in every band, on any machine: a picture has 2¹⁵ rows at most.
+    #[test]
+    fn lists_are_bounded() {
+        for bands in 0..=super::super::MAX_SIDE as usize / ROWS {
+            let batch = batch(bands);
+            assert!(batch * bands <= PLACES && batch.is_multiple_of(CHUNK) && batch > 0);
+        }
+        const { assert!(CHUNK <= 1 << u16::BITS) };
+        // Few bands: a million triangles at once.
+        assert_eq!(batch(16), 1 << 20);
+    }
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::extremes::lecture;
 use crate::oracle::{self, absolute, area, int, is_nearest, r, small_window, winding};
 use ombra_math::work::Work;
 use proptest::prelude::*;
@@ -15,10 +16,6 @@ fn clip(window: &Window, polygon: &[DVec2]) -> Vec<DVec2> {
 
 fn points<const N: usize>(p: [(f64, f64); N]) -> Vec<DVec2> {
     p.map(DVec2::from).to_vec()
-}
-
-fn lecture() -> Window {
-    Window::new(DVec2::ZERO, DVec2::splat(10.0)).unwrap()
 }
 
 #[test]

@@ -233,13 +233,10 @@ fn corners_stay_within_the_guard_band() {
             corner,
         ];
         let mesh = Mesh::new(positions, vec![[0, 1, 2]]).unwrap();
-        let scene = Scene::new::<Depth24>(&mesh, &camera, &mut ()).unwrap();
+        let scene = Scene::new::<Depth24>(&mesh, &camera, Level::new(), &mut ()).unwrap();
         let mut pieces = screen::Pieces::default();
         let mut work = Work::default();
-        let found: Vec<_> = scene
-            .pieces::<Depth24>(0, &mut pieces, &mut work)
-            .iter()
-            .collect();
+        let found: Vec<_> = scene.pieces(0, &mut pieces, &mut work).iter().collect();
         assert_eq!(work.vertices > 0, cut, "{far}");
         for corner in found.iter().flat_map(|(corners, _)| corners) {
             let from_the_middle = [corner.x - 8 * 256, corner.y - 256 * 256];
@@ -353,11 +350,11 @@ fn refused() {
         ),
         (
             run(&good, &camera, Colours::PerTriangle(&[]), (3, 2)),
-            "there are 0 colours; there must be 1, one each",
+            "the number of colours is 0, but that of the mesh's triangles is 1; each needs one",
         ),
         (
             run(&good, &camera, Colours::PerVertex(&[Luma([1])]), (3, 2)),
-            "there are 1 colours; there must be 3, one each",
+            "the number of colours is 1, but that of the mesh's vertices is 3; each needs one",
         ),
         (
             run(&good, &long, one, (MAX_SIDE + 1, 1)),

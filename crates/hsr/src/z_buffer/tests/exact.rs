@@ -302,7 +302,7 @@ proptest! {
         let position = DVec3::new(x * scale, y * scale, 0.0);
         let camera = Camera { view_projection: DMat4::IDENTITY, viewport: viewport(37, 23) };
         let mesh = Mesh::new(vec![position], vec![]).unwrap();
-        let scene = Scene::new::<Depth24>(&mesh, &camera, &mut ()).unwrap();
+        let scene = Scene::new::<Depth24>(&mesh, &camera, Level::new(), &mut ()).unwrap();
         let expected = triangle::snap(camera.to_pixel(position).unwrap().truncate(), SUBPIXEL_BITS) * 256.0;
         let found = scene.corner(0).unwrap();
         prop_assert_eq!(DVec2::new(f64::from(found.x), f64::from(found.y)), expected);

@@ -183,6 +183,45 @@ fn threads_change_nothing() {
     }
 }
 
+/// Triangles sorted into bands a few at a time come in the same order.
+#[cfg(feature = "parallel")]
+#[test]
+fn batches_change_nothing() {
+    let mesh = many(20_000);
+    let (width, height) = (150, 170);
+    let camera = Camera {
+        viewport: viewport(width, height),
+        ..front()
+    };
+    let scene = Scene::new::<Depth24>(&mesh, &camera, Level::new(), &mut ()).unwrap();
+    let colours: Vec<_> = (0..mesh.triangles.len())
+        .map(|i| Rgba([i as u8, (i >> 8) as u8, 7, (i * 13) as u8]))
+        .collect();
+    let paint = Flat {
+        colours: Err(&colours[..]),
+        blend: Blend::Over,
+    };
+    let run = |batch: Option<usize>| {
+        let mut picture = buffers::new(width, height, Rgba([0, 0, 0, 255])).unwrap();
+        let mut depth = DepthBuffer::<Depth24>::new(width, height).unwrap();
+        let mut whole: Band<'_, Depth24, Flat<'_, Rgba<u8>>> = Band {
+            rows: 0..height,
+            width,
+            depth: depth.values_mut(),
+            samples: &mut picture,
+        };
+        match batch {
+            Some(batch) => threads::draw_bands(&scene, Cull::Nothing, paint, whole, 16, batch),
+            None => whole.draw(&scene, 0..colours.len(), Cull::Nothing, paint, &mut ()),
+        }
+        (picture.into_raw(), depth.into_image().into_raw())
+    };
+    let expected = run(None);
+    for batch in [8192, 1 << 20] {
+        assert!(run(Some(batch)) == expected, "{batch}");
+    }
+}
+
 /// Two half transparent squares at one place: the far one shows through the near one only if it is drawn first.
 #[test]
 fn transparency_depends_on_order() {

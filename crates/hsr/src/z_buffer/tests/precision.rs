@@ -127,6 +127,52 @@ fn fighting_is_seen_in_the_picture() {
     assert!(fought > size as usize * 4, "{fought}");
 }
 
+/// Near and far at 10⁻⁶ and 10⁶, the camera turned: squares a few steps apart are told apart wherever they are.
+#[test]
+fn reversed_depth_keeps_its_digits_in_a_turned_view() {
+    let (near, far, size) = (1e-6, 1e6, 24);
+    for (eye, target) in [
+        (DVec3::ZERO, DVec3::new(0.3, -0.7, -1.0)),
+        (DVec3::new(3.0, 1.0, -2.0), DVec3::new(-1.0, 0.5, 2.0)),
+        (DVec3::new(40.0, -50.0, 60.0), DVec3::ZERO),
+    ] {
+        let view = look_at(eye, target, DVec3::Y).unwrap();
+        let camera = Camera {
+            view_projection: frustum(-1e-6, 1e-6, -1e-6, 1e-6, near, far).unwrap() * view,
+            viewport: viewport(size, size),
+        };
+        let to_world = view.inverse();
+        let stored = |distance: f64| {
+            let corner =
+                |x: f64, y: f64| to_world.transform_point3(DVec3::new(x, y, -1.0) * distance);
+            let positions = vec![corner(-2.0, -2.0), corner(5.0, -2.0), corner(-2.0, 5.0)];
+            let mesh = Mesh::new(positions, vec![[0, 1, 2]]).unwrap();
+            let mut depth = DepthBuffer::<ReversedDepth32F>::new(size, size).unwrap();
+            draw_depth(&mesh, &camera, Cull::Nothing, &mut depth).unwrap();
+            depth.into_image().into_raw()
+        };
+        for distance in [1.0, 1e3, 1e5, 3e5] {
+            let step = depth_step::<ReversedDepth32F>(near, far, distance).unwrap();
+            let (first, second) = (stored(distance), stored(distance + 4.0 * step));
+            assert!(
+                first.iter().zip(&second).all(|(a, b)| a > b && *b > 0.0),
+                "{eye} {distance}"
+            );
+            // The planes that the rounded matrix stands for: each coefficient of ½ (m₄ − m₃) within ε, times
+            // coordinates of 3 distances and an eye within 100, beside the near distance; and the rounding to f32.
+            let exact = (near / distance - near / far) / (1.0 - near / far);
+            let moved = 4.0 * f64::EPSILON * (3.0 * distance + 100.0) / near;
+            for &found in &first {
+                let error = (f64::from(found) / exact - 1.0).abs();
+                assert!(
+                    error <= f64::from(f32::EPSILON) + moved,
+                    "{eye} {distance}: {found} is {exact}"
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn refused() {
     for (near, far, distance) in [

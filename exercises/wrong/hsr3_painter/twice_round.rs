@@ -1,4 +1,4 @@
-// rejected by three_sticks_in_a_cycle: no order exists
+// rejected by three_sticks_in_a_cycle: names each of its sticks once
 use glam::DVec3;
 
 #[derive(Clone, Copy, Debug)]
@@ -21,10 +21,22 @@ fn order(sticks: &[Stick]) -> Result<Vec<usize>, Vec<usize>> {
     let mut left: Vec<usize> = (0..sticks.len()).collect();
     let mut painted = Vec::new();
     while !left.is_empty() {
+        // What hides none of the others is behind them all.
         let hides_none = |&i: &usize| !left.iter().any(|&j| hides(&sticks[i], &sticks[j]));
         let Some(at) = left.iter().position(hides_none) else {
-            painted.append(&mut left);
-            break;
+            // Every stick left hides another one: follow them until one comes again.
+            let mut path = vec![left[0]];
+            loop {
+                let last = path[path.len() - 1];
+                let hidden = left.iter().find(|&&j| hides(&sticks[last], &sticks[j]));
+                let next = *hidden.expect("each of those left hides another one");
+                if let Some(start) = path.iter().position(|&i| i == next) {
+                    // Round twice.
+                    let cycle = path.split_off(start);
+                    return Err([&cycle[..], &cycle[..]].concat());
+                }
+                path.push(next);
+            }
         };
         painted.push(left.remove(at));
     }

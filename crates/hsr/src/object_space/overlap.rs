@@ -1,0 +1,183 @@
+//! Which primitives share sight lines, and which of them make a knot that no order by pairs opens.
+//!
+//! At every sight line each two of the primitives that it meets have a winner, so taking from each what any other
+//! hides leaves the nearest, if the pairs agree: P before Q, and Q before R, and P before R. Depths do agree; but what
+//! is equally deep within a tolerance may not, and in a ring each is hidden by the one before it.
+//!
+//! Then the pairs are a knockout. The primitives come one after the other, in the order in which they were submitted,
+//! and each meets the *winner* of those before it, not all of them. It may only be hidden by what is itself still
+//! visible. Exactly one is left, whatever the pairs say; but cutting at parts leaves more of them than cutting at
+//! wholes, so this is done in knots only:
+//!
+//! ```text
+//! P → Q:  P hides part of Q            knot: primitives that lead to each other along →, three or more of them,
+//!                                            two of which nearly lie in each other
+//! ```
+//!
+//! A winner W has beaten all before it, one way or another: W → … → P. If P hides the next one, Q, from outside of its
+//! knot, then W hides it too: with Q → W there would be a ring Q → W → … → P → Q, and all were in one knot.
+
+use ombra_math::work::{Count, Counter};
+
+use crate::pair::{Pair, Seen, compare_seen};
+
+/// How a primitive lies along the sight lines that it shares with one submitted later.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Overlap {
+    /// The first of the two.
+    pub(super) with: usize,
+    pub(super) pair: Pair,
+    /// Whether both are in one knot.
+    pub(super) is_knotted: bool,
+}
+
+/// For each primitive its overlaps with those before it; every two are compared.
+pub(super) fn overlaps(seen: &[Option<Seen>], work: &mut impl Count) -> Vec<Vec<Overlap>> {
+    let mut overlaps = vec![Vec::new(); seen.len()];
+    let mut clinging = Vec::new();
+    for (j, (second, overlaps)) in seen.iter().zip(&mut overlaps).enumerate() {
+        for (i, first) in seen.iter().enumerate().take(j) {
+            work.add(Counter::Pairs, 1);
+            let (Some(p), Some(q)) = (first, second) else {
+                continue;
+            };
+            let pair = compare_seen(p, q);
+            if pair == Pair::Apart {
+                continue;
+            }
+            if p.clings_to(q) {
+                clinging.push([i, j]);
+            }
+            overlaps.push(Overlap {
+                with: i,
+                pair,
+                is_knotted: false,
+            });
+        }
+    }
+    if !clinging.is_empty() {
+        tie(&mut overlaps, &clinging);
+    }
+    overlaps
+}
+
+/// Finds the knots; `clinging` are the pairs that nearly lie in each other.
+fn tie(overlaps: &mut [Vec<Overlap>], clinging: &[[usize; 2]]) {
+    let rings = rings(&hidden_by_each(overlaps));
+    let ring_of = |i: usize| rings.get(i).copied();
+    let mut members = vec![0; rings.len()];
+    for &ring in &rings {
+        members[ring] += 1;
+    }
+    let mut is_knot = vec![false; rings.len()];
+    for &[i, j] in clinging {
+        if let Some(ring) = ring_of(i).filter(|&ring| ring_of(j) == Some(ring)) {
+            is_knot[ring] = members[ring] > 2;
+        }
+    }
+    for (j, overlaps) in overlaps.iter_mut().enumerate() {
+        for overlap in overlaps {
+            let ring = ring_of(overlap.with).filter(|&ring| ring_of(j) == Some(ring));
+            overlap.is_knotted = ring.is_some_and(|ring| is_knot[ring]);
+        }
+    }
+}
+
+/// What each primitive hides.
+fn hidden_by_each(overlaps: &[Vec<Overlap>]) -> Vec<Vec<usize>> {
+    let mut hides = vec![Vec::new(); overlaps.len()];
+    for (j, overlaps) in overlaps.iter().enumerate() {
+        for &Overlap { with: i, pair, .. } in overlaps {
+            if pair != Pair::SecondNearer {
+                hides[i].push(j);
+            }
+            if matches!(pair, Pair::SecondNearer | Pair::Crossing) {
+                hides[j].push(i);
+            }
+        }
+    }
+    hides
+}
+
+/// The number of the ring each node is in: nodes that lead to each other have the same.
+///
+/// S. R. Kosaraju's way: from the node that was done last, going backwards reaches what also leads to it.
+fn rings(next: &[Vec<usize>]) -> Vec<usize> {
+    let mut before = vec![Vec::new(); next.len()];
+    for (i, next) in next.iter().enumerate() {
+        for &j in next {
+            before[j].push(i);
+        }
+    }
+    let mut done = Vec::with_capacity(next.len());
+    let mut is_met = vec![false; next.len()];
+    for start in 0..next.len() {
+        walk(next, start, &mut is_met, |node| done.push(node));
+    }
+    let mut ring = vec![0; next.len()];
+    is_met.fill(false);
+    for (number, &start) in done.iter().rev().enumerate() {
+        walk(&before, start, &mut is_met, |node| ring[node] = number);
+    }
+    ring
+}
+
+/// Walks depth first from `start` to all nodes not met yet; says of each when all after it are done.
+fn walk(next: &[Vec<usize>], start: usize, is_met: &mut [bool], mut done: impl FnMut(usize)) {
+    if core::mem::replace(&mut is_met[start], true) {
+        return;
+    }
+    let mut path = vec![(start, next[start].iter())];
+    while let Some((node, rest)) = path.last_mut() {
+        match rest.find(|&&other| !is_met[other]) {
+            Some(&other) => {
+                is_met[other] = true;
+                path.push((other, next[other].iter()));
+            }
+            None => {
+                done(*node);
+                path.pop();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By reaching: i and j are in one ring if each leads to the other.
+    #[test]
+    fn rings_are_what_leads_to_each_other() {
+        let mut state = 12_345u64;
+        for n in [0, 1, 2, 5, 9].into_iter().cycle().take(200) {
+            let mut next = vec![Vec::new(); n];
+            for (i, next) in next.iter_mut().enumerate() {
+                for j in 0..n {
+                    state = state
+                        .wrapping_mul(6_364_136_223_846_793_005)
+                        .wrapping_add(1);
+                    if j != i && state >> 61 == 0 {
+                        next.push(j);
+                    }
+                }
+            }
+            let mut leads: Vec<Vec<bool>> = (0..n)
+                .map(|i| (0..n).map(|j| i == j || next[i].contains(&j)).collect())
+                .collect();
+            for k in 0..n {
+                for i in 0..n {
+                    for j in 0..n {
+                        leads[i][j] |= leads[i][k] && leads[k][j];
+                    }
+                }
+            }
+            let rings = rings(&next);
+            for i in 0..n {
+                for j in 0..n {
+                    assert_eq!(rings[i] == rings[j], leads[i][j] && leads[j][i], "{next:?}");
+                }
+            }
+        }
+    }
+}
