@@ -24,7 +24,7 @@ pub use outcode::{Outcode, outcode};
 pub struct Step {
     /// What has not been cut off yet.
     pub segment: Segment,
-    /// The codes of a and b.
+    /// The codes of a and b as the true points they stand for: rounded onto a corner, a new end may be inside by itself.
     pub codes: [Outcode; 2],
     /// What the two codes decide.
     pub decision: Decision,

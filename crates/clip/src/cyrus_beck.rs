@@ -158,7 +158,8 @@ fn crossing(segment: Segment, p: DVec2, q: DVec2) -> DVec2 {
 ///
 /// - Which side an end lies on is exact. Entries and exits are compared exactly while coordinates are 0 or between
 ///   2⁻²⁵⁰ and 2²⁵⁰ in size; beyond that, two whose t differ by less than some 8ε count as one.
-/// - Ends inside are returned unchanged, others are nearest doubles to the true crossings; direction is kept.
+/// - Ends inside are returned unchanged, others are nearest doubles to the true crossings; direction is kept,
+///   beyond those sizes to that 8ε.
 /// - Without planes everything is inside. `None` if a number is not finite.
 ///
 /// # Pitfalls

@@ -251,6 +251,7 @@ pub struct Vertex<const N: usize> {
 /// - Each crossing is made of nearest doubles to that of the edge it cuts. An edge that was cut before is the one between
 ///   rounded corners: up to six roundings add up.
 /// - A shared edge gives the same crossing in both polygons: no cracks.
+/// - No corner stands twice in a row, unless its attributes differ.
 /// - Empty for fewer than three corners, a polygon that only touches, one with a position that is not finite or zero.
 ///
 /// # Pitfalls
@@ -340,6 +341,10 @@ pub fn clip_polygon_to_counted<const N: usize>(
     }
     // An edge through (0, 0, 0, 0) leaves that, which is no point.
     clipped.retain(|v| v.position != DVec4::ZERO);
+    clipped.dedup();
+    while clipped.len() > 1 && clipped.first() == clipped.last() {
+        clipped.pop();
+    }
     if clipped.len() < 3 {
         clipped.clear();
     }

@@ -249,7 +249,8 @@ pub fn clip_against_line_counted(
 ///
 /// Which side a vertex lies on is exact. A crossing is within 4ε of the larger of the two ends' coordinates, in the box
 /// round its edge, and equal for both directions of the edge.
-/// Empty where nothing but an edge or a vertex is left, or a coordinate is not finite.
+/// Empty where nothing but an edge or a vertex is left, or a coordinate is not finite. A normal of 0 is no plane: all is
+/// inside for d ≥ 0, nothing for d < 0.
 ///
 /// # Pitfalls
 ///
@@ -282,9 +283,6 @@ pub fn clip_against_plane_counted(
     plane: &Plane,
     work: &mut impl Count,
 ) -> Vec<DVec3> {
-    if plane.normal == DVec3::ZERO {
-        return Vec::new();
-    }
     work.add(Counter::Multiplications, 3 * polygon.len() as u64);
     let scaled: Vec<_> = polygon
         .iter()

@@ -279,3 +279,40 @@ proptest! {
         prop_assert!(clip_polygon(&polygon).iter().all(|v| contains(v.position)));
     }
 }
+
+#[test]
+fn no_corner_stands_twice() {
+    let corner = |x: f64, y: f64, shade: f64| Vertex {
+        position: DVec4::new(x, y, 0.0, 1.0),
+        attributes: [shade],
+    };
+    let (a, b, c) = (
+        corner(0.0, 0.0, 0.0),
+        corner(0.5, 0.0, 0.0),
+        corner(0.0, 0.5, 0.0),
+    );
+    assert_eq!(clip_polygon(&[a, b, b, c, a]), [a, b, c]);
+    assert_eq!(clip_polygon(&[a, b, a, b]), [a, b, a, b]);
+    assert_eq!(clip_polygon(&[a, b, b, a]), []);
+    let other = corner(0.5, 0.0, 1.0);
+    assert_eq!(clip_polygon(&[a, b, other, c]), [a, b, other, c]);
+    // Corners so small that a crossing is rounded to (0, 0, 0, 0), with equal ones on both sides of it.
+    let small = |x: f64, y: f64, z: f64, w: f64| Vertex {
+        position: DVec4::new(x, y, z, w) * f64::from_bits(1),
+        attributes: [],
+    };
+    let kept = small(0.0, -1.0, 1.0, 1.0);
+    for between in [small(0.0, 0.0, 1.0, 0.0), small(0.0, 0.0, -1.0, -1.0)] {
+        let clipped = clip_polygon(&[
+            kept,
+            between,
+            kept,
+            small(0.0, 1.0, 1.0, 1.0),
+            small(1.0, 0.0, 0.0, 1.0),
+        ]);
+        assert!(
+            clipped.windows(2).all(|pair| pair[0] != pair[1]),
+            "{clipped:?}"
+        );
+    }
+}

@@ -113,16 +113,13 @@ fn counts_its_work_in_space() {
     // Through two corners; through one, and across a side.
     assert_eq!(count(1.0, -1.0, 0.0, 0.0), none);
     assert_eq!(count(2.0, -1.0, 0.0, 0.0), [[4, 4, 12, 1], [4, 4, 16, 1]]);
-    // A plane without a normal is none: nothing is asked. Nor of no vertices.
-    let nowhere = Plane {
-        normal: DVec3::ZERO,
-        d: 1.0,
-    };
-    for (polygon, plane) in [(&square[..], nowhere), (&[], Plane::GROUND)] {
-        let mut work = Work::default();
-        assert_eq!(clip_against_plane_counted(polygon, &plane, &mut work), []);
-        assert_eq!(numbers(work), [0; 4]);
-    }
+    assert_eq!(count(0.0, 0.0, 0.0, -1.0), none);
+    let mut work = Work::default();
+    assert_eq!(
+        clip_against_plane_counted(&[], &Plane::GROUND, &mut work),
+        []
+    );
+    assert_eq!(numbers(work), [0; 4]);
 }
 
 #[test]
@@ -283,16 +280,17 @@ fn degenerate() {
         );
         assert_eq!(clip_homogeneous(&[DVec4::splat(bad); 3], DVec4::Y), []);
     }
-    assert_eq!(
-        clip_against_plane(
-            &triangle,
-            &Plane {
-                normal: DVec3::ZERO,
-                d: 1.0
-            }
-        ),
-        []
-    );
+    // n·X + d = d everywhere: all or nothing, as `clip_against_line` and `cyrus_beck` have it.
+    let no_plane = |d: f64| Plane {
+        normal: DVec3::ZERO,
+        d,
+    };
+    for d in [1.0, 0.0, -0.0, 5e-324] {
+        assert_eq!(clip_against_plane(&triangle, &no_plane(d)), triangle);
+    }
+    for d in [-1.0, -5e-324, f64::NAN, f64::INFINITY] {
+        assert_eq!(clip_against_plane(&triangle, &no_plane(d)), []);
+    }
     let huge = f64::MAX;
     let cut = clip_against_plane(
         &[v(0.0, -huge, 0.0), v(huge, huge, 0.0), v(-huge, huge, 0.0)],

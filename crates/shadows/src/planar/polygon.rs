@@ -65,6 +65,9 @@ use super::exact_cast::{
 /// object behind the light).
 #[must_use]
 pub fn cast_polygon(plane: Plane, light: DVec4, polygon: &[DVec3]) -> Vec<DVec4> {
+    if plane.normal == DVec3::ZERO {
+        return Vec::new();
+    }
     let light = towards_place(light);
     let plane = match dot(plane.coefficients(), light).0.partial_cmp(&0.0) {
         Some(Ordering::Greater) => plane,
