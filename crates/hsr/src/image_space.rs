@@ -138,7 +138,8 @@ pub fn hits_counted(polygons: &[Polygon], line: SightLine, work: &mut impl Count
 ///
 /// # Pitfalls
 ///
-/// A centre on the border of a primitive is inside, where a rasterizer asks the top-left rule: pictures differ there.
+/// A sight line through the border of a primitive is inside, where a rasterizer asks the top-left rule: pictures differ
+/// there. The line through a pixel's centre is rounded, so a centre on the border may be on either side.
 /// What lies *in* the near or the far plane is seen or not as the matrix rounds those planes.
 ///
 /// # Errors
@@ -163,8 +164,8 @@ pub fn hits_counted(polygons: &[Polygon], line: SightLine, work: &mut impl Count
 ///     view_projection: frustum(-2.0, 2.0, -2.0, 2.0, 1.0, 9.0).unwrap(),
 ///     viewport: Viewport { width: 4, height: 4 },
 /// };
-/// // The nearer one is half as large, and looks it.
-/// let picture = cast(&[square(3.0, -2.0), square(1.0, -1.5), square(1.0, 1.5)], &camera).unwrap();
+/// // The nearer one hides the middle of the other; the third lies behind the eye.
+/// let picture = cast(&[square(3.5, -2.0), square(1.0, -1.5), square(1.0, 1.5)], &camera).unwrap();
 /// assert_eq!(picture.into_raw(), [
 ///     0, 0, 0, 0,
 ///     0, 1, 1, 0,
