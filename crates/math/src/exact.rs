@@ -254,13 +254,13 @@ pub fn dot(a: DVec4, b: DVec4) -> (f64, i32) {
     sum.to_scaled()
 }
 
-/// Numbers f · 2ᵉ, as of [`dot`] or [`Sum::to_scaled`], brought to one exponent: their ratios, the largest between 1
-/// and 2.
+/// Numbers f · 2ᵉ brought to one exponent, the largest of theirs: as ratios, of [`Sum::to_scaled`] the largest between
+/// 1 and 2.
 ///
 /// # Properties
 ///
 /// Every sign is kept: what is too small beside the largest becomes the smallest double of its sign, and only 0
-/// becomes 0. NaN stays NaN.
+/// becomes 0. NaN stays NaN. Any exponents are taken, from `i32::MIN` to `i32::MAX`.
 ///
 /// # Examples
 ///
@@ -274,7 +274,7 @@ pub fn relative(scaled: &[(f64, i32)]) -> Vec<f64> {
     let exponents = scaled.iter().filter(|(f, _)| *f != 0.0).map(|&(_, e)| e);
     let top = exponents.max().unwrap_or(0);
     let one = |&(f, e): &(f64, i32)| {
-        let x = libm::scalbn(f, e - top);
+        let x = libm::scalbn(f, e.saturating_sub(top));
         if x == 0.0 && f != 0.0 {
             f64::from_bits(1).copysign(f)
         } else {

@@ -146,3 +146,20 @@ fn degenerate() {
         );
     }
 }
+
+#[test]
+fn ratios_of_any_exponents() {
+    let (top, least) = (i32::MAX, i32::MIN);
+    for (given, expected) in [
+        ([(1.0, top), (1.0, least)], [1.0, 5e-324]),
+        ([(-1.5, least), (1.0, top)], [-5e-324, 1.0]),
+        ([(1.0, least), (-1.0, least)], [1.0, -1.0]),
+        ([(0.0, top), (1.0, least)], [0.0, 1.0]),
+        ([(-0.0, least), (1.0, top)], [0.0, 1.0]),
+        ([(1.0, 1), (1.0, top)], [5e-324, 1.0]),
+    ] {
+        assert_eq!(relative(&given), expected, "{given:?}");
+    }
+    assert!(relative(&[(f64::NAN, least), (1.0, top)])[0].is_nan());
+    assert_eq!(relative(&[]), [0.0; 0]);
+}
