@@ -8,6 +8,7 @@ use core::ops::RangeInclusive;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::homogeneous::project;
+use crate::scaling::{scaled, split};
 use crate::triangle::unit;
 use crate::view::Viewport;
 
@@ -94,7 +95,7 @@ impl Camera {
     #[must_use]
     pub fn eye(&self) -> Option<DVec4> {
         let [x, y, z, w] = self.rows();
-        let eye = meet(scaled(x), scaled(y), scaled(w));
+        let eye = meet(ordinary(x), ordinary(y), ordinary(w));
         if eye.w != 0.0 {
             return project(eye).map(|place| place.extend(1.0));
         }
@@ -127,7 +128,7 @@ impl Camera {
             f64::from(self.viewport.height),
         );
         let ndc = (2.0 * pixel / size - 1.0) * DVec2::new(1.0, -1.0);
-        let [column, row, near] = [x - ndc.x * w, y - ndc.y * w, z + w].map(scaled);
+        let [column, row, near] = [x - ndc.x * w, y - ndc.y * w, z + w].map(ordinary);
         let origin = project(meet(column, row, near))?;
         let along = unit(column.truncate().cross(row.truncate()))?;
         let inwards = near.truncate().dot(along);
@@ -143,14 +144,14 @@ impl Camera {
 }
 
 /// The same plane with a normal of a size at which products of three stay in range; a power of two rounds nothing.
-fn scaled(plane: DVec4) -> DVec4 {
+fn ordinary(plane: DVec4) -> DVec4 {
     const ORDINARY: RangeInclusive<f64> = 1e-60..=1e60;
     let size = plane.truncate().abs().max_element();
     if ORDINARY.contains(&size) || size == 0.0 || !size.is_finite() {
         return plane;
     }
-    let exponent = libm::ilogb(size);
-    DVec4::from_array(plane.to_array().map(|x| libm::scalbn(x, -exponent)))
+    let (_, exponent) = split(size);
+    scaled(plane.to_array(), -exponent).into()
 }
 
 /// The homogeneous point on three planes: the vector at right angles to their coefficients.

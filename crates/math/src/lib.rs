@@ -17,6 +17,7 @@
 //! | [`predicates`] | orientation of points, exact at every exponent |
 //! | [`exact`] | sums of products without rounding |
 //! | [`double_double`] | 106 bits, with error bounds |
+//! | [`scaling`] | powers of two against overflow and underflow |
 //! | [`work`] | counted work |
 
 pub use glam;
@@ -28,6 +29,7 @@ pub mod homogeneous;
 pub mod mesh;
 pub mod plane;
 pub mod predicates;
+pub mod scaling;
 pub mod solids;
 pub mod spherical;
 pub mod triangle;

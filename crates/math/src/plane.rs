@@ -11,6 +11,7 @@ use glam::{DVec3, DVec4};
 
 use crate::exact::{Sum, dot};
 use crate::homogeneous::point;
+use crate::scaling::{common, normalised};
 
 /// The points X with n·X + d = 0.
 ///
@@ -146,14 +147,7 @@ impl Plane {
             |(sum, &x): (&Sum, &f64)| !(x.is_normal() || sum.sign() == Some(Ordering::Equal));
         let [x, y, z, d] = if sums.iter().zip(&plain).any(lost) {
             // Bring the largest coefficient to the exponent 0.
-            let scaled = sums.each_ref().map(Sum::to_scaled);
-            let top = scaled
-                .iter()
-                .filter(|(f, _)| *f != 0.0)
-                .map(|&(_, e)| e)
-                .max()
-                .unwrap_or(0);
-            scaled.map(|(f, e)| libm::scalbn(f, e - top))
+            common(sums.each_ref().map(Sum::to_scaled)).0
         } else {
             plain
         };
@@ -198,11 +192,9 @@ impl Plane {
         if largest == 0.0 || !largest.is_finite() {
             return f64::NAN;
         }
-        let scale = -libm::ilogb(largest);
-        let length =
-            DVec3::from_array(self.normal.to_array().map(|x| libm::scalbn(x, scale))).length();
+        let (normal, scale) = normalised(self.normal.to_array());
         let (value, exponent) = dot(self.coefficients(), point(p));
-        libm::scalbn(value / length, exponent + scale)
+        libm::scalbn(value / DVec3::from(normal).length(), exponent - scale)
     }
 
     /// Which side `p` lies on: `Greater` in front, `Equal` exactly on the plane, `Less` behind; `None` if a
@@ -261,14 +253,8 @@ impl Plane {
     /// (bias).
     #[must_use]
     pub fn offset(&self, distance: f64) -> Self {
-        let largest = self.normal.abs().max_element();
-        let scale = if largest > 0.0 && largest.is_finite() {
-            libm::ilogb(largest)
-        } else {
-            0
-        };
-        let unit = DVec3::from_array(self.normal.to_array().map(|x| libm::scalbn(x, -scale)));
-        let shift = libm::scalbn(distance * unit.length(), scale);
+        let (normal, scale) = normalised(self.normal.to_array());
+        let shift = libm::scalbn(distance * DVec3::from(normal).length(), scale);
         Self {
             normal: self.normal,
             d: self.d - shift,

@@ -9,6 +9,8 @@ use core::f64::consts::TAU;
 use core::ops::Range;
 use glam::DVec3;
 
+use crate::scaling::normalised;
+
 /// The plane angle of a full circle, 2π rad.
 pub const FULL_CIRCLE: f64 = TAU;
 
@@ -77,13 +79,7 @@ impl Spherical {
                 phi: f64::NAN,
             };
         }
-        let largest = p.abs().max_element();
-        let exponent = if largest == 0.0 {
-            0
-        } else {
-            libm::ilogb(largest)
-        };
-        let [x, y, z] = p.to_array().map(|x| libm::scalbn(x, -exponent));
+        let ([x, y, z], exponent) = normalised(p.to_array());
         let across = libm::hypot(x, y);
         Self {
             r: libm::scalbn(libm::hypot(across, z), exponent),

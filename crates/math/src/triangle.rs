@@ -5,6 +5,7 @@
 //! [`crate::exact`].
 
 use crate::exact::Sum;
+use crate::scaling::{common, normalised};
 use glam::DVec3;
 
 /// Normal of the triangle A, B, C: twice its area long, towards whoever sees A, B, C run counter-clockwise.
@@ -177,7 +178,7 @@ pub fn face_normal(vertex_normals: [DVec3; 3]) -> Option<DVec3> {
 
 /// `v` made unit length, whatever its scale; `None` if it is zero or not finite.
 pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
-    let (v, _) = normalised(v);
+    let v = DVec3::from(normalised(v.to_array()).0);
     (v.is_finite() && v != DVec3::ZERO).then(|| v / v.length())
 }
 
@@ -240,22 +241,10 @@ fn cross_exact(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sum {
     ])
 }
 
-/// Brings components x · 2ᵉ to one exponent.
+/// Components x · 2ᵉ brought to one exponent.
 fn scaled(components: [(f64, i32); 3]) -> (DVec3, i32) {
-    // Far below the largest one, a component is lost together with its digits.
-    let exponent = components
-        .iter()
-        .filter(|(x, _)| *x != 0.0 && x.is_finite())
-        .map(|&(x, e)| libm::ilogb(x) + e)
-        .max()
-        .unwrap_or(0);
-    let [x, y, z] = components.map(|(x, e)| libm::scalbn(x, e - exponent));
-    (DVec3::new(x, y, z), exponent)
-}
-
-/// `v` as u · 2ᵉ with the largest component of u between 1 and 2.
-fn normalised(v: DVec3) -> (DVec3, i32) {
-    scaled(v.to_array().map(|x| (x, 0)))
+    let (v, exponent) = common(components);
+    (v.into(), exponent)
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use ombra_math::exact::{Sum, dot, relative};
 use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::homogeneous::point;
 use ombra_math::plane::Plane;
+use ombra_math::scaling::common;
 use ombra_math::work::{Count, Counter};
 
 /// Where a vertex lies on the ray from the light to the plane.
@@ -310,15 +311,10 @@ pub(super) fn homogeneous_shadow(plane: Plane, light: DVec4, v: DVec3) -> DVec4 
     if p.is_finite() {
         return point(p);
     }
-    let (scaled, (wf, we)) = (sums.map(|sum| sum.to_scaled()), w.to_scaled());
-    let top = scaled
-        .iter()
-        .filter(|(f, _)| *f != 0.0)
-        .map(|&(_, e)| e)
-        .max()
-        .unwrap_or(we);
-    let [x, y, z] = scaled.map(|(f, e)| wf.signum() * libm::scalbn(f, e - top));
-    DVec4::new(x, y, z, libm::scalbn(wf.abs(), we - top))
+    let (p, exponent) = common(sums.map(|sum| sum.to_scaled()));
+    let (w, w_exponent) = w.to_scaled();
+    let p = DVec3::from(p) * w.signum();
+    p.extend(libm::scalbn(w.abs(), w_exponent - exponent))
 }
 
 /// s − L_w t of each vertex, the largest between 1 and 2: positive where a vertex is nearer to the plane than the
@@ -338,10 +334,7 @@ pub(super) fn direction_from_light(light: DVec4, v: DVec3) -> DVec3 {
     if plain.is_finite() && plain.abs().max_element().is_normal() {
         return plain;
     }
-    let scaled = sums.map(|sum| sum.to_scaled());
-    let exponents = scaled.iter().filter(|(f, _)| *f != 0.0).map(|&(_, e)| e);
-    let top = exponents.max().unwrap_or(0);
-    DVec3::from_array(scaled.map(|(f, e)| libm::scalbn(f, e - top)))
+    common(sums.map(|sum| sum.to_scaled())).0.into()
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use core::fmt;
 use ombra_math::exact::dot;
 use ombra_math::glam::{DMat4, DVec3, DVec4};
 use ombra_math::plane::Plane;
+use ombra_math::scaling::normalised;
 
 use super::exact_cast::towards_place;
 
@@ -134,10 +135,7 @@ pub fn shadow_matrix(plane: Plane, light: DVec4) -> Result<DMat4, PlanarShadowEr
         return Ok(plain);
     }
     // Both vectors with their largest coordinate in [1, 2): what vanishes now is 10³⁰⁰ times smaller than the rest.
-    let unit = |x: DVec4| {
-        let exponent = libm::ilogb(x.abs().max_element());
-        DVec4::from_array(x.to_array().map(|x| libm::scalbn(x, -exponent)))
-    };
+    let unit = |x: DVec4| DVec4::from(normalised(x.to_array()).0);
     Ok(entries(unit(pi), unit(l)))
 }
 
