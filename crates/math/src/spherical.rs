@@ -9,7 +9,8 @@ use core::f64::consts::TAU;
 use core::ops::Range;
 use glam::DVec3;
 
-use crate::scaling::normalised;
+use crate::double_double::DoubleDouble;
+use crate::scaling::{normalised, product_over};
 
 /// The plane angle of a full circle, 2π rad.
 pub const FULL_CIRCLE: f64 = TAU;
@@ -114,6 +115,12 @@ impl Spherical {
 /// dA = r² sin θ dθ dφ
 /// ```
 ///
+/// # Properties
+///
+/// Right wherever a double holds it, also where r² alone is too large or too small.
+///
+/// - Error: at most 2 ε |value|; subnormal values their last place.
+///
 /// # Pitfalls
 ///
 /// Patches of equal dθ and dφ shrink towards the poles; directions drawn evenly in θ and φ crowd there.
@@ -133,7 +140,7 @@ impl Spherical {
 /// Olomouc, «Diferenciální plocha».
 #[must_use]
 pub fn area_element(r: f64, theta: f64) -> f64 {
-    r * r * solid_angle_element(theta)
+    product_over([r, r, solid_angle_element(theta)], 1.0)
 }
 
 /// Differential solid angle at polar angle `theta`, per dθ dφ: the patch on the unit sphere.
@@ -143,6 +150,10 @@ pub fn area_element(r: f64, theta: f64) -> f64 {
 /// ```text
 /// dω = dA / r² = sin θ dθ dφ
 /// ```
+///
+/// # Properties
+///
+/// - Error: at most ε |value|.
 ///
 /// # Examples
 ///
@@ -170,8 +181,10 @@ pub fn solid_angle_element(theta: f64) -> f64 {
 ///
 /// # Properties
 ///
-/// The second form is computed: small ranges lose no digits. A range given backwards counts negative. Times r²
-/// it is the area on a sphere of radius r.
+/// The second form is computed, its two angles with all their digits: ranges lose none, small or near a pole. A range
+/// given backwards counts negative. Times r² it is the area on a sphere of radius r.
+///
+/// - Error: at most 4 ε |Ω| for θ in 0 … π, beyond 4 ε |φ₁ − φ₀|; subnormal values their last place.
 ///
 /// # Pitfalls
 ///
@@ -193,9 +206,25 @@ pub fn solid_angle_element(theta: f64) -> f64 {
 /// Olomouc, «Diferenciální plocha»: the full sphere is 4π.
 #[must_use]
 pub fn solid_angle(theta: Range<f64>, phi: Range<f64>) -> f64 {
-    let middle = 0.5 * theta.start + 0.5 * theta.end;
-    let half = 0.5 * theta.end - 0.5 * theta.start;
-    2.0 * libm::sin(middle) * libm::sin(half) * (phi.end - phi.start)
+    let middle = sin_of_sum(0.5 * theta.start, 0.5 * theta.end);
+    let half = sin_of_sum(0.5 * theta.end, -0.5 * theta.start);
+    // Half of φ's range twice: the whole may be beyond the largest double.
+    let width = phi.end - phi.start;
+    if width.is_finite() {
+        product_over([2.0, middle, half, width], 1.0)
+    } else {
+        product_over([4.0, middle, half, 0.5 * phi.end - 0.5 * phi.start], 1.0)
+    }
+}
+
+/// sin(a + b) for a sum of more digits than a double has: near π, where the sine is small, its last ones count.
+fn sin_of_sum(a: f64, b: f64) -> f64 {
+    let angle = DoubleDouble::sum(a, b);
+    if angle.lo == 0.0 {
+        return libm::sin(angle.hi);
+    }
+    let ((sin, cos), (sin_lo, cos_lo)) = (libm::sincos(angle.hi), libm::sincos(angle.lo));
+    sin * cos_lo + cos * sin_lo
 }
 
 #[cfg(test)]
@@ -277,6 +306,92 @@ mod tests {
         // Difference of cosines, as the first form has it, keeps seven digits here.
         let naive = (libm::cos(1.0) - libm::cos(1.0 + d)) * d;
         assert!((naive / expected - 1.0).abs() > 1e-9);
+    }
+
+    /// π to 300 bits below the point, and sines of numbers of that kind: integers in units of 2⁻³⁰⁰.
+    mod exact {
+        use num_bigint::BigInt;
+        use num_rational::BigRational;
+
+        const BITS: u32 = 300;
+
+        fn one() -> BigInt {
+            BigInt::from(1) << BITS
+        }
+
+        pub fn of(x: f64) -> BigInt {
+            (BigRational::from_float(x).unwrap() * BigRational::from_integer(one()))
+                .round()
+                .to_integer()
+        }
+
+        pub fn cos(x: &BigInt) -> BigInt {
+            let (mut sum, mut term) = (one(), one());
+            for k in 1..80u32 {
+                term = -((term * x >> BITS) * x >> BITS) / (2 * k * (2 * k - 1));
+                sum += &term;
+            }
+            sum
+        }
+
+        /// (a·b in those units) as a double, and how far `found` is from it, in ε.
+        pub fn error(found: f64, a: &BigInt, b: f64) -> f64 {
+            let right = BigRational::new(a.clone(), one()) * BigRational::from_float(b).unwrap();
+            let off = (BigRational::from_float(found).unwrap() - &right) / right;
+            let scaled = (off * BigRational::from_integer(BigInt::from(1) << 72u32)).to_integer();
+            scaled.to_string().parse::<f64>().unwrap().abs() / f64::from(1 << 20)
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        /// Ω = (cos θ₀ − cos θ₁)(φ₁ − φ₀) with 300 bits, at the poles and between, ranges of every width.
+        #[test]
+        fn every_patch_keeps_its_digits(pole in 0u8..3, m in 0.0..1.0f64, e in -30i32..1, width in 0.0..1.0f64,
+                                        down in -45i32..0, phi in 0.001..TAU) {
+            let (from, towards) = match pole {
+                0 => (libm::scalbn(m, e), 1.0),
+                1 => (PI - libm::scalbn(m, e), -1.0),
+                _ => (1.0 + m, 1.0),
+            };
+            let to = from + towards * libm::scalbn(width, down);
+            let (low, high) = (from.min(to).max(0.0), from.max(to).min(PI));
+            prop_assume!(low != high);
+            let difference = exact::cos(&exact::of(low)) - exact::cos(&exact::of(high));
+            let error = exact::error(solid_angle(low..high, 0.0..phi), &difference, phi);
+            prop_assert!(error <= 4.0, "{low:e}..{high:e} is off by {error} ε");
+            let back = solid_angle(high..low, 0.0..phi);
+            prop_assert_eq!(back, -solid_angle(low..high, 0.0..phi));
+        }
+    }
+
+    #[test]
+    fn what_can_be_held_is_right() {
+        // r² alone is beyond the doubles, or below them; sin θ = θ to the last bit for these θ.
+        let rational = |x: f64| num_rational::BigRational::from_float(x).unwrap();
+        for (r, theta) in [
+            (1e160, 1e-100),
+            (-1e160, 1e-100),
+            (1e10, 1e-318),
+            (1e200, 1e-320),
+        ] {
+            let area = area_element(r, theta);
+            let off =
+                rational(area) / (rational(r) * rational(r) * rational(theta)) - rational(1.0);
+            let bound = rational(2.0 * EPS);
+            assert!(off <= bound && -off <= bound, "{r:e} {theta:e}: {area:e}");
+        }
+        assert_eq!(area_element(1e-160, FRAC_PI_2), 1e-320);
+        assert_eq!(area_element(1e160, FRAC_PI_2), f64::INFINITY);
+        // Both sines are below the doubles together, not with a long range of φ; nor is a range beyond the largest.
+        let patch = solid_angle(0.0..2e-200, 0.0..1e300);
+        assert!((patch / 2e-100 - 1.0).abs() <= 4.0 * EPS, "{patch:e}");
+        let patch = solid_angle(0.0..2e-100, -f64::MAX..f64::MAX);
+        assert!(
+            (patch / (2.0 * 2e-200 * f64::MAX) - 1.0).abs() <= 4.0 * EPS,
+            "{patch:e}"
+        );
     }
 
     #[test]

@@ -5,6 +5,7 @@ use core::f64::consts::PI;
 use glam::{DMat4, DVec4};
 
 use super::error::{ViewError, finite, positive, whole};
+use crate::scaling::{product_over, split};
 
 /// Perspective projection through the window l … r, b … t of the near plane at distance `n`; far plane at `f`.
 ///
@@ -19,8 +20,10 @@ use super::error::{ViewError, finite, positive, whole};
 ///
 /// # Properties
 ///
-/// The eight corners of the view volume go to the corners of the cube −1 … 1, near to z = −1. Each entry
-/// is within 4 ε of itself, subnormal ones aside.
+/// The eight corners of the view volume go to the corners of the cube −1 … 1, near to z = −1. Every matrix whose entries
+/// a double holds is given, whatever is on the way to them.
+///
+/// - Error: at most 2 ε |entry| in each entry; subnormal entries half the smallest double more.
 ///
 /// # Pitfalls
 ///
@@ -46,8 +49,7 @@ use super::error::{ViewError, finite, positive, whole};
 ///
 /// CIS 781, «Standard glFrustum Projection Matrix».
 pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Result<DMat4, ViewError> {
-    let infinite = frustum_infinite(l, r, b, t, n)?;
-    with_far(infinite, n, f)
+    with_far(window(l, r, b, t, n)?, n, f)
 }
 
 /// Perspective projection without a far plane: the limit of [`frustum`] for f → ∞.
@@ -65,6 +67,8 @@ pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Result<DMat4, 
 ///
 /// The vertex at infinity straight ahead, (0, 0, −D, 0), gets z = w = D, so no far plane ever cuts it; nor do the
 /// sides if l ≤ 0 ≤ r and b ≤ 0 ≤ t. [`frustum`] tends to it: the third rows differ by 2n/(f−n) and 2n²/(f−n).
+///
+/// - Error: at most 2 ε |entry| in each entry; subnormal entries half the smallest double more.
 ///
 /// # Pitfalls
 ///
@@ -91,6 +95,13 @@ pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Result<DMat4, 
 /// CIS 781, «Limit glFrustum Matrix as Far Plane is Moved to Infinity» and «Verifying P_inf Will Not Clip
 /// Infinitely Far Away Vertices».
 pub fn frustum_infinite(l: f64, r: f64, b: f64, t: f64, n: f64) -> Result<DMat4, ViewError> {
+    let mut m = window(l, r, b, t, n)?;
+    m.w_axis.z = -2.0 * n;
+    whole(m, "near and the window")
+}
+
+/// What the frustum has of its window, the same with and without a far plane; the entry −2n is left out.
+fn window(l: f64, r: f64, b: f64, t: f64, n: f64) -> Result<DMat4, ViewError> {
     let shift_x = shift("left and right", l, r)?;
     let shift_y = shift("bottom and top", b, t)?;
     positive("near", n)?;
@@ -98,7 +109,7 @@ pub fn frustum_infinite(l: f64, r: f64, b: f64, t: f64, n: f64) -> Result<DMat4,
         DVec4::new(twice_over(n, l, r), 0.0, 0.0, 0.0),
         DVec4::new(0.0, twice_over(n, b, t), 0.0, 0.0),
         DVec4::new(shift_x, shift_y, -1.0, -1.0),
-        DVec4::new(0.0, 0.0, -2.0 * n, 0.0),
+        DVec4::ZERO,
     );
     whole(m, "near and the window")
 }
@@ -114,6 +125,8 @@ pub fn frustum_infinite(l: f64, r: f64, b: f64, t: f64, n: f64) -> Result<DMat4,
 /// # Properties
 ///
 /// The scale of x and y does not depend on n.
+///
+/// - Error: at most 3 ε |entry| in each entry; subnormal entries half the smallest double more.
 ///
 /// # Pitfalls
 ///
@@ -150,7 +163,7 @@ pub fn perspective(fov_y: f64, aspect: f64, n: f64, f: f64) -> Result<DMat4, Vie
         DVec4::new(y / aspect, 0.0, 0.0, 0.0),
         DVec4::new(0.0, y, 0.0, 0.0),
         DVec4::new(0.0, 0.0, -1.0, -1.0),
-        DVec4::new(0.0, 0.0, -2.0 * n, 0.0),
+        DVec4::ZERO,
     );
     with_far(whole(m, "field of view, aspect and near")?, n, f)
 }
@@ -168,8 +181,9 @@ pub fn perspective(fov_y: f64, aspect: f64, n: f64, f: f64) -> Result<DMat4, Vie
 ///
 /// # Properties
 ///
-/// The corners of the box go to the corners of the cube −1 … 1, near to z = −1; w stays 1, depth is linear. Each
-/// entry is within 4 ε of itself, subnormal ones aside.
+/// The corners of the box go to the corners of the cube −1 … 1, near to z = −1; w stays 1, depth is linear.
+///
+/// - Error: at most 2 ε |entry| in each entry; subnormal entries half the smallest double more.
 ///
 /// # Pitfalls
 ///
@@ -207,9 +221,9 @@ pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Result<DM
 
 /// 2n/(high − low), also where 2n or the difference alone is beyond the largest double.
 fn twice_over(n: f64, low: f64, high: f64) -> f64 {
-    let (twice, difference) = (2.0 * n, high - low);
-    if twice.is_finite() && difference.is_finite() {
-        twice / difference
+    let difference = high - low;
+    if difference.is_finite() {
+        product_over([2.0, n], difference)
     } else {
         n / (0.5 * high - 0.5 * low)
     }
@@ -229,12 +243,12 @@ fn shift(what: &'static str, low: f64, high: f64) -> Result<f64, ViewError> {
     Ok((0.5 * high + 0.5 * low) / (0.5 * high - 0.5 * low))
 }
 
-/// `infinite` with a far plane: third row −(f+n)/(f−n), −2fn/(f−n).
-fn with_far(infinite: DMat4, n: f64, f: f64) -> Result<DMat4, ViewError> {
+/// `m` with a far plane: third row −(f+n)/(f−n), −2fn/(f−n).
+fn with_far(mut m: DMat4, n: f64, f: f64) -> Result<DMat4, ViewError> {
     positive("far", f)?;
-    let scale = shift("near and far", n, f)?;
-    let mut m = infinite;
-    m.z_axis.z = -scale;
-    m.w_axis.z = -2.0 * n * (f / (f - n));
+    m.z_axis.z = -shift("near and far", n, f)?;
+    // As −2n · f/(f − n), but neither quotient nor product leaves the range of doubles on the way.
+    let ((n, n_exponent), (f, f_exponent), (depth, exponent)) = (split(n), split(f), split(f - n));
+    m.w_axis.z = -libm::scalbn(n * (f / depth), n_exponent + f_exponent - exponent + 1);
     whole(m, "near and far")
 }

@@ -321,6 +321,168 @@ fn cube() -> impl Strategy<Value = DVec3> {
     [-1.0..1.0, -1.0..1.0, -1.0..1.0].prop_map(DVec3::from_array)
 }
 
+/// Each entry from rationals, its formula as the slide has it.
+mod entries {
+    use super::*;
+
+    fn q(x: f64) -> BigRational {
+        BigRational::from_float(x).unwrap()
+    }
+
+    fn power(e: i32) -> BigRational {
+        BigRational::from_integer(BigInt::from(2)).pow(e)
+    }
+
+    /// The error of `found` in ε of the exact entry, what a subnormal's last place explains taken off; `None` where
+    /// the entry is beyond the largest double.
+    fn error(found: f64, right: &BigRational) -> Option<f64> {
+        let size = if *right < q(0.0) {
+            -right.clone()
+        } else {
+            right.clone()
+        };
+        if size > q(f64::MAX) {
+            return None;
+        }
+        let off = q(found) - right;
+        let off = if off < q(0.0) { -off } else { off };
+        let off = off - power(-1075);
+        if off <= q(0.0) {
+            return Some(0.0);
+        }
+        // In units of 2⁻²⁰ ε.
+        let ratio = off * power(72) / size;
+        Some(ratio.to_integer().to_string().parse::<f64>().unwrap() / f64::from(1 << 20))
+    }
+
+    fn double() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            (-2.0..2.0f64, -1060i32..1023).prop_map(|(m, e)| libm::scalbn(m, e)),
+            (-2.0..2.0f64, 1015i32..1023).prop_map(|(m, e)| libm::scalbn(m, e)),
+            -3.0..3.0f64,
+        ]
+    }
+
+    /// Two numbers, a third of them close to each other.
+    fn sides() -> impl Strategy<Value = [f64; 2]> {
+        prop_oneof![
+            2 => [double(), double()],
+            1 => (double(), 1i64..100).prop_map(|(x, k)| [x, f64::from_bits((x.to_bits() as i64 + k) as u64)]),
+        ]
+    }
+
+    fn depths() -> impl Strategy<Value = [f64; 2]> {
+        sides().prop_map(|z| z.map(f64::abs))
+    }
+
+    /// A matrix where all entries can be held, and within `bound` ε of each.
+    fn check(
+        found: Result<DMat4, ViewError>,
+        right: &[BigRational; 16],
+        bound: f64,
+    ) -> Result<(), TestCaseError> {
+        let m = found.unwrap_or(DMat4::ZERO).to_cols_array();
+        let errors: Vec<_> = m
+            .into_iter()
+            .zip(right)
+            .map(|(x, right)| error(x, right))
+            .collect();
+        if errors.iter().any(Option::is_none) {
+            prop_assert!(found.is_err());
+            return Ok(());
+        }
+        prop_assert!(found.is_ok(), "{:?}", found);
+        for (e, x) in errors.into_iter().flatten().zip(m) {
+            prop_assert!(e <= bound, "{x:e} is off by {e} ε in {found:?}");
+        }
+        Ok(())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        #[test]
+        fn of_the_frustum([l, r] in sides(), [b, t] in sides(), [n, f] in depths()) {
+            prop_assume!([l, r, b, t, n, f].iter().all(|x| x.is_finite()) && l != r && b != t && n != f && n > 0.0 && f > 0.0);
+            let [o, two] = [q(0.0), q(2.0)];
+            let [l_, r_, b_, t_, n_, f_] = [l, r, b, t, n, f].map(q);
+            let x = &two * &n_ / (&r_ - &l_);
+            let y = &two * &n_ / (&t_ - &b_);
+            let sx = (&r_ + &l_) / (&r_ - &l_);
+            let sy = (&t_ + &b_) / (&t_ - &b_);
+            let z = -(&f_ + &n_) / (&f_ - &n_);
+            let w = -&two * &f_ * &n_ / (&f_ - &n_);
+            let rest = [x, o.clone(), o.clone(), o.clone(), o.clone(), y, o.clone(), o.clone(), sx, sy];
+            let columns = |z: BigRational, w: BigRational| -> [BigRational; 16] {
+                let last = [z, q(-1.0), o.clone(), o.clone(), w, o.clone()];
+                rest.iter().cloned().chain(last).collect::<Vec<_>>().try_into().unwrap()
+            };
+            check(frustum(l, r, b, t, n, f), &columns(z, w), 2.0)?;
+            check(frustum_infinite(l, r, b, t, n), &columns(q(-1.0), -&two * &n_), 2.0)?;
+        }
+
+        #[test]
+        fn of_the_box([l, r] in sides(), [b, t] in sides(), [n, f] in sides()) {
+            prop_assume!([l, r, b, t, n, f].iter().all(|x| x.is_finite()) && l != r && b != t && n != f);
+            let o = || q(0.0);
+            let scale = |low: f64, high: f64| q(2.0) / (q(high) - q(low));
+            let shift = |low: f64, high: f64| -(q(high) + q(low)) / (q(high) - q(low));
+            let right = [
+                scale(l, r), o(), o(), o(), o(), scale(b, t), o(), o(), o(), o(), -scale(n, f), o(),
+                shift(l, r), shift(b, t), shift(n, f), q(1.0),
+            ];
+            check(orthographic(l, r, b, t, n, f), &right, 2.0)?;
+        }
+
+        /// 1/tan is taken from a cosine and a sine of rationals: Taylor's series of the half angle.
+        #[test]
+        fn of_the_symmetric_frustum(fov in 0.001..3.1415f64, aspect in double(), [n, f] in depths()) {
+            let aspect = aspect.abs();
+            prop_assume!(aspect > 0.0 && n.is_finite() && f.is_finite() && n != f && n > 0.0 && f > 0.0);
+            // Cut to 160 bits after each step, or the fractions grow without end.
+            let cut = |x: BigRational| BigRational::new((x * power(160)).to_integer(), BigInt::from(1) << 160);
+            let half = q(fov) / q(2.0);
+            let (mut sin, mut cos, mut term) = (q(0.0), q(0.0), q(1.0));
+            for k in 0..50 {
+                match k % 4 {
+                    0 => cos += &term,
+                    1 => sin += &term,
+                    2 => cos -= &term,
+                    _ => sin -= &term,
+                }
+                term = cut(term * &half / q(f64::from(k + 1)));
+            }
+            let y = cos / sin;
+            let o = || q(0.0);
+            let [n_, f_] = [n, f].map(q);
+            let z = -(&f_ + &n_) / (&f_ - &n_);
+            let w = -q(2.0) * &f_ * &n_ / (&f_ - &n_);
+            let right = [
+                &y / q(aspect), o(), o(), o(), o(), y, o(), o(), o(), o(), z, q(-1.0), o(), o(), w, o(),
+            ];
+            check(perspective(fov, aspect, n, f), &right, 3.0)?;
+        }
+    }
+}
+
+#[test]
+fn what_can_be_held_is_not_refused() {
+    // −2fn/(f − n) by hand: 2·10⁻²⁰⁰ either way round.
+    for (n, f) in [(1e200, 1e-200), (1e-200, 1e200)] {
+        let m = frustum(-1.0, 1.0, -1.0, 1.0, n, f).unwrap();
+        assert!((m.w_axis.z.abs() - 2e-200).abs() <= 4.0 * EPS * 2e-200);
+        let m = perspective(1.0, 1.0, n, f).unwrap();
+        assert!((m.w_axis.z.abs() - 2e-200).abs() <= 4.0 * EPS * 2e-200);
+    }
+    // −2n alone would be beyond the largest double; 2fn/(n − f) is 2f.
+    let (n, f) = (1.2e308, 3.0);
+    let m = frustum(-1e300, 1e300, -1e300, 1e300, n, f).unwrap();
+    assert!((m.w_axis.z - 6.0).abs() <= 4.0 * EPS * 6.0);
+    let m = perspective(1.0, 1.0, n, f).unwrap();
+    assert!((m.w_axis.z - 6.0).abs() <= 4.0 * EPS * 6.0);
+    assert!(frustum_infinite(-1e300, 1e300, -1e300, 1e300, n).is_err());
+}
+
 proptest! {
     /// Against the exact axes S = F × up, U = S × F, F = target − eye, which have no rounding at all.
     #[test]
