@@ -4,7 +4,7 @@
 //! one, 106 bits instead of 53. With its error bound it settles almost every case that needs the nearest double
 //! or the right sign; what stays in doubt goes to the exact sum.
 
-use core::ops::{Add, Neg, Sub};
+use core::ops::{Add, Mul, Neg, Sub};
 
 /// hi + lo, with |lo| ≤ ½ ulp(hi).
 ///
@@ -15,8 +15,10 @@ use core::ops::{Add, Neg, Sub};
 /// ```text
 /// product(a, b)    exact
 /// x ± y            within 3u² (|x| + |y|)
+/// x · y            within 8u² |x y|
 /// x.times(a)       within 4u² |x a|
 /// x.over(y)        within 16u² |x / y|
+/// x.sqrt()         within 8u² √x
 /// ```
 ///
 /// # Examples
@@ -84,6 +86,18 @@ impl DoubleDouble {
         ordered_sum(q, (rest.hi + rest.lo) / divisor.hi)
     }
 
+    /// The square root of this value, 0 where it is not positive.
+    #[inline]
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        if self.hi <= 0.0 {
+            return Self::default();
+        }
+        let root = self.hi.sqrt();
+        let rest = self - Self::product(root, root);
+        ordered_sum(root, rest.hi / (2.0 * root))
+    }
+
     /// Whether products of three such numbers, and sums of some of those, stay clear of overflow and underflow:
     /// 0, or 2⁻²⁵⁰ ≤ |x| < 2²⁵¹.
     #[inline]
@@ -102,6 +116,15 @@ impl Add for DoubleDouble {
         let t = Self::sum(self.lo, other.lo);
         let s = ordered_sum(s.hi, s.lo + t.hi);
         ordered_sum(s.hi, s.lo + t.lo)
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let p = Self::product(self.hi, other.hi);
+        ordered_sum(p.hi, p.lo + (self.hi * other.lo + self.lo * other.hi))
     }
 }
 
@@ -190,6 +213,13 @@ mod tests {
             prop_assert!(within(x + y, &(&ex + &ey), 3.0 * u2 * scale));
             prop_assert!(within(x - y, &(&ex - &ey), 3.0 * u2 * scale));
             prop_assert!(within(x.times(c), &(&ex * exact(c)), 4.0 * u2 * (x.hi * c).abs()));
+            prop_assert!(within(x * y, &(&ex * &ey), 8.0 * u2 * (x.hi * y.hi).abs()));
+            // √x by its square: twice the relative error.
+            let square = if x.hi < 0.0 { -x } else { x };
+            let root = value(square.sqrt());
+            let off = (&root * &root - value(square)) / exact(1.0);
+            let bound = exact(16.0 * u2 * square.hi);
+            prop_assert!(off <= bound && -off <= bound);
             if y.hi != 0.0 {
                 prop_assert!(within(x.over(y), &(&ex / &ey), 16.0 * u2 * (x.hi / y.hi).abs()));
             }

@@ -200,9 +200,9 @@ pub(crate) fn scaled_cross(from: DVec3, to: DVec3, v: DVec3) -> (DVec3, i32) {
 }
 
 /// The two coordinates whose products make the x, y and z of a vector product.
-const CYCLE: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
+pub(crate) const CYCLE: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
-fn pick(p: DVec3, [i, j]: [usize; 2]) -> [f64; 2] {
+pub(crate) fn pick(p: DVec3, [i, j]: [usize; 2]) -> [f64; 2] {
     [p[i], p[j]]
 }
 
@@ -230,15 +230,19 @@ fn cross_plain([ui, uj]: [f64; 2], [vi, vj]: [f64; 2]) -> Option<f64> {
 }
 
 fn cross_exact(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sum {
-    let [[ai, aj], [bi, bj], [ci, cj]] = [a, b, c];
-    Sum::of(&[
+    Sum::of(&cross_terms([a, b, c]))
+}
+
+/// What a component of AB × AC is the sum of: differences multiplied out, as they themselves would be rounded.
+pub(crate) fn cross_terms([[ai, aj], [bi, bj], [ci, cj]]: [[f64; 2]; 3]) -> [[f64; 3]; 6] {
+    [
         [ai, bj, 1.0],
         [-aj, bi, 1.0],
         [bi, cj, 1.0],
         [-bj, ci, 1.0],
         [ci, aj, 1.0],
         [-cj, ai, 1.0],
-    ])
+    ]
 }
 
 /// Components x · 2ᵉ brought to one exponent.
