@@ -5,13 +5,21 @@ use ombra_math::glam::{DVec3, DVec4, dvec3, dvec4};
 use ombra_math::plane::Plane;
 use ombra_shadows::fake::ellipse;
 use ombra_shadows::planar::{
-    cast, cast_by_parameter, cast_by_quotient, cast_onto, cast_polygon, cast_polygon_each,
-    classify, ground_matrix_directional, ground_matrix_point, shadow_matrix,
+    cast, cast_onto, cast_polygon, cast_polygon_each, classify, ground_matrix_directional,
+    ground_matrix_point, shadow_matrix, textbook,
 };
 use ombra_tests::cases::{Random, case};
 use ombra_tests::shadow::ExactShadow;
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
+
+fn by_quotient(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    textbook::by_quotient(plane, light, v, &mut ())
+}
+
+fn by_parameter(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    textbook::by_parameter(plane, light, v, &mut ())
+}
 
 fn any_point() -> impl Strategy<Value = DVec3> {
     (ANY, ANY, ANY).prop_map(|(x, y, z)| dvec3(x, y, z))
@@ -32,7 +40,7 @@ proptest! {
     /// Any doubles, NaN and infinities among them: an answer, finite, and no panic.
     #[test]
     fn nothing_panics_on_points(plane in any_plane(), light in any_light(), v in any_point()) {
-        for answer in [cast, cast_by_quotient, cast_by_parameter] {
+        for answer in [cast, by_quotient, by_parameter] {
             prop_assert!(answer(plane, light, v).is_none_or(DVec3::is_finite));
         }
         let placement = classify(plane, light, v);

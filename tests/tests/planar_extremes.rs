@@ -5,10 +5,18 @@ use ombra_math::glam::{DVec3, DVec4, dvec3, dvec4};
 use ombra_math::plane::Plane;
 use ombra_shadows::fake::ellipse;
 use ombra_shadows::planar::{
-    Placement, cast, cast_by_parameter, cast_by_quotient, cast_onto, cast_polygon, classify,
-    ground_matrix_directional, ground_matrix_point, shadow_matrix,
+    Placement, cast, cast_onto, cast_polygon, classify, ground_matrix_directional,
+    ground_matrix_point, shadow_matrix, textbook,
 };
 use ombra_tests::shadow::ExactShadow;
+
+fn by_quotient(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    textbook::by_quotient(plane, light, v, &mut ())
+}
+
+fn by_parameter(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    textbook::by_parameter(plane, light, v, &mut ())
+}
 
 const MAX: f64 = f64::MAX;
 
@@ -116,7 +124,7 @@ fn the_table_of_points() {
             "{name}: the row"
         );
         // The plain forms may lose such a shadow, but not invent one that is not finite.
-        for plain in [cast_by_quotient, cast_by_parameter] {
+        for plain in [by_quotient, by_parameter] {
             let p = plain(plane, light, v);
             assert!(p.is_none_or(DVec3::is_finite), "{name}: {p:?}");
         }
@@ -142,7 +150,7 @@ fn not_finite_is_refused() {
             let plane = plane(x[0], x[1], x[2], x[3]);
             let (light, v) = (dvec4(x[4], x[5], x[6], x[7]), dvec3(x[8], x[9], x[10]));
             let at = format!("{bad} at {place}");
-            for answer in [cast, cast_by_quotient, cast_by_parameter] {
+            for answer in [cast, by_quotient, by_parameter] {
                 assert_eq!(answer(plane, light, v), None, "{at}");
             }
             assert_eq!(classify(plane, light, v), None, "{at}");

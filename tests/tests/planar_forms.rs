@@ -2,15 +2,23 @@
 //! how far off rounding can lead.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use ombra_math::glam::{DVec3, dvec3, dvec4};
+use ombra_math::glam::{DVec3, DVec4, dvec3, dvec4};
 use ombra_math::plane::Plane;
 use ombra_shadows::planar::{
-    Placement, cast, cast_by_parameter, cast_by_quotient, classify, ground_matrix_directional,
-    ground_matrix_point, shadow_matrix,
+    Placement, cast, classify, ground_matrix_directional, ground_matrix_point, shadow_matrix,
+    textbook,
 };
 use ombra_tests::cases::{Random, case};
 use ombra_tests::dyadic::Dyadic;
 use ombra_tests::shadow::{Decision, ExactShadow};
+
+fn by_quotient(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    textbook::by_quotient(plane, light, v, &mut ())
+}
+
+fn by_parameter(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    textbook::by_parameter(plane, light, v, &mut ())
+}
 
 const MAX: f64 = f64::MAX;
 
@@ -200,12 +208,8 @@ fn plain_forms_on_whole_numbers() {
             light.w = 0.0;
         }
         let exact = cast(plane, light, v);
-        assert_eq!(
-            cast_by_quotient(plane, light, v),
-            exact,
-            "{plane:?} {light} {v}"
-        );
-        let by_parameter = cast_by_parameter(plane, light, v);
+        assert_eq!(by_quotient(plane, light, v), exact, "{plane:?} {light} {v}");
+        let by_parameter = by_parameter(plane, light, v);
         let (Some(exact), Some(p)) = (exact, by_parameter) else {
             assert_eq!((exact, by_parameter), (None, None), "{plane:?} {light} {v}");
             continue;
@@ -251,8 +255,7 @@ fn the_quotients_bound() {
             }
             _ => {}
         }
-        let (Some(exact), Some(p)) = (cast(plane, light, v), cast_by_quotient(plane, light, v))
-        else {
+        let (Some(exact), Some(p)) = (cast(plane, light, v), by_quotient(plane, light, v)) else {
             continue;
         };
         compared += 1;

@@ -7,11 +7,18 @@ use ombra_math::homogeneous::{point, project};
 use ombra_math::plane::Plane;
 use ombra_math::solids::slide_cube;
 use ombra_shadows::planar::{
-    cast, cast_by_parameter, cast_by_quotient, ground_matrix_directional, ground_matrix_point,
-    shadow_matrix,
+    cast, ground_matrix_directional, ground_matrix_point, shadow_matrix, textbook,
 };
 use ombra_tests::dyadic::Dyadic;
 use ombra_tests::shadow::ExactShadow;
+
+fn by_quotient(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    textbook::by_quotient(plane, light, v, &mut ())
+}
+
+fn by_parameter(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
+    textbook::by_parameter(plane, light, v, &mut ())
+}
 
 /// Olomouc, «Zdroj v nekonečnu», example: the cube's corners in the deck's order.
 const CUBE: [DVec3; 8] = [
@@ -126,7 +133,7 @@ fn cube_by_point() {
         let exact = off(light, |v| cast(Plane::GROUND, light, v));
         assert_eq!(exact, [], "light {light}");
         // s, t, both products and their difference are whole numbers below 2⁵³: one rounding, the division.
-        let quotient = off(light, |v| cast_by_quotient(Plane::GROUND, light, v));
+        let quotient = off(light, |v| by_quotient(Plane::GROUND, light, v));
         assert_eq!(quotient, [], "light {light}");
     }
 }
@@ -137,13 +144,13 @@ fn cube_by_point() {
 #[test]
 fn cube_by_parameter() {
     // Towards the sun, k = 2 or 3 is exact, and so is all that follows.
-    let sun = off(SUN, |v| cast_by_parameter(Plane::GROUND, SUN, v));
+    let sun = off(SUN, |v| by_parameter(Plane::GROUND, SUN, v));
     assert_eq!(sun, []);
     // Under the lamp, k = 5/4 is exact at the four lower corners and k = 10/7 is not at the four upper ones.
     // There x = 0 + k · 10 and y = 100 − k · 70 happen to round back; z does not. With one rounding each for k,
     // product and sum there is one outcome, in whatever order the dot products are summed, for they are whole
     // numbers here.
-    let lamp = off(LAMP, |v| cast_by_parameter(Plane::GROUND, LAMP, v));
+    let lamp = off(LAMP, |v| by_parameter(Plane::GROUND, LAMP, v));
     assert_eq!(
         lamp,
         [(4, 'z', -1), (5, 'z', -1), (6, 'z', -3), (7, 'z', -3)]
@@ -151,7 +158,7 @@ fn cube_by_parameter() {
     // A place is between ε/2 and ε of a number, and 28.57 has small ones: the relative error stays below 2 ε.
     for v in CUBE {
         let exact = ExactShadow::new(Plane::GROUND, LAMP, v).unwrap();
-        let computed = cast_by_parameter(Plane::GROUND, LAMP, v).unwrap();
+        let computed = by_parameter(Plane::GROUND, LAMP, v).unwrap();
         for j in 0..3 {
             let (n, w) = exact.fraction(j);
             let error = &(&Dyadic::new(computed[j]).unwrap() * w) - n;

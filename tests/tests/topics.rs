@@ -39,6 +39,8 @@ fn lectures() -> Vec<String> {
 struct Existing {
     /// A public module, and the pictures its page shows.
     modules: Vec<(String, Vec<String>)>,
+    /// Those that lie in files of their own below another: the index may name them.
+    children: Vec<(String, Vec<String>)>,
     figures: BTreeSet<String>,
     exercises: BTreeSet<String>,
     studies: BTreeSet<String>,
@@ -49,7 +51,8 @@ fn complaints(rows: &[Row], existing: &Existing) -> Vec<String> {
     let mut complaints = Vec::new();
     let mut named_modules = BTreeSet::new();
     for row in rows {
-        let modules: BTreeSet<&String> = existing.modules.iter().map(|(name, _)| name).collect();
+        let modules = existing.modules.iter().chain(&existing.children);
+        let modules: BTreeSet<&String> = modules.map(|(name, _)| name).collect();
         for name in &row.modules {
             named_modules.insert(name.as_str());
             if !modules.contains(name) {
@@ -67,9 +70,13 @@ fn complaints(rows: &[Row], existing: &Existing) -> Vec<String> {
             }
         }
     }
-    for (module, pictures) in &existing.modules {
+    for (module, _) in &existing.modules {
         if !named_modules.contains(module.as_str()) {
             complaints.push(format!("the index lacks the module {module}"));
+        }
+    }
+    for (module, pictures) in existing.modules.iter().chain(&existing.children) {
+        if !named_modules.contains(module.as_str()) {
             continue;
         }
         // The page's picture is one of the figures that the index lists for the module, and there is one if any is.
@@ -113,7 +120,7 @@ fn complaints(rows: &[Row], existing: &Existing) -> Vec<String> {
 }
 
 fn existing() -> Existing {
-    let mut modules = Vec::new();
+    let (mut modules, mut children) = (Vec::new(), Vec::new());
     for lecture in lectures() {
         let source = root().join("crates").join(&lecture).join("src");
         for module in public_modules(&read(source.join("lib.rs"))) {
@@ -121,8 +128,18 @@ fn existing() -> Existing {
                 .into_iter()
                 .find(|file| source.join(file).is_file())
                 .unwrap_or_else(|| panic!("no source of {lecture}::{module}"));
-            let pictures = included_figures(&read(source.join(file)));
-            modules.push((format!("ombra_{lecture}::{module}"), pictures));
+            let text = read(source.join(file));
+            for child in public_modules(&text) {
+                let file = source.join(&module).join(format!("{child}.rs"));
+                if file.is_file() {
+                    let pictures = included_figures(&read(file));
+                    children.push((format!("ombra_{lecture}::{module}::{child}"), pictures));
+                }
+            }
+            modules.push((
+                format!("ombra_{lecture}::{module}"),
+                included_figures(&text),
+            ));
         }
     }
     let quoted = |line: &str| {
@@ -134,6 +151,7 @@ fn existing() -> Existing {
     };
     Existing {
         modules,
+        children,
         figures: ombra_figures::figure::figures()
             .iter()
             .map(|f| f.id.to_owned())
@@ -194,6 +212,7 @@ fn every_disagreement_is_a_sentence() {
             .iter()
             .map(|(name, pictures)| (name.to_string(), list(pictures)))
             .collect(),
+        children: vec![("ombra_math::plane::side".into(), list(&["side"]))],
         figures: set(&["math/plane"]),
         exercises: set(exercises),
         studies: set(&["precision"]),
@@ -234,6 +253,20 @@ fn every_disagreement_is_a_sentence() {
         &named(&["ombra_math::gone"], &[], &[], &[]),
         &sources,
         "planes: there is no public module ombra_math::gone",
+    );
+    says(
+        &named(&["ombra_math::plane::gone"], &[], &[], &[]),
+        &sources,
+        "planes: there is no public module ombra_math::plane::gone",
+    );
+    // A module below another may be named, and then its picture must be listed.
+    let below = complaints(
+        &named(&["ombra_math::plane::side"], &[], &[], &[]),
+        &sources,
+    );
+    assert_eq!(
+        below,
+        ["the index does not list side.svg, which ombra_math::plane::side shows"]
     );
     says(
         &named(&[], &["math/gone"], &[], &[]),

@@ -7,6 +7,7 @@
 mod magnitude;
 
 use core::cmp::Ordering;
+use core::ops::Sub;
 
 use glam::DVec4;
 
@@ -78,6 +79,12 @@ impl Sum {
             sum.add(term);
         }
         sum
+    }
+
+    /// (a·b) x = (a₁b₁ + a₂b₂ + a₃b₃ + a₄b₄) x.
+    #[must_use]
+    pub fn dot(a: DVec4, b: DVec4, x: f64) -> Self {
+        Self::of(&[0, 1, 2, 3].map(|i| [a[i], b[i], x]))
     }
 
     /// Adds the product of three `factors`.
@@ -215,6 +222,22 @@ impl Sum {
     }
 }
 
+impl Sub for Sum {
+    type Output = Self;
+    /// The difference, without rounding as well.
+    fn sub(mut self, other: Self) -> Self {
+        self.undefined |= other.undefined;
+        let mut borrow = false;
+        for (limb, word) in self.limbs.iter_mut().zip(other.limbs) {
+            let (x, b1) = limb.overflowing_sub(word);
+            let (x, b2) = x.overflowing_sub(u64::from(borrow));
+            *limb = x;
+            borrow = b1 || b2;
+        }
+        self
+    }
+}
+
 /// a·b = a₁b₁ + a₂b₂ + a₃b₃ + a₄b₄ as f · 2ᵉ, its sign exact and its relative error at most ε.
 ///
 /// # Formula
@@ -247,11 +270,7 @@ pub fn dot(a: DVec4, b: DVec4) -> (f64, i32) {
             return (value.hi, 0);
         }
     }
-    let mut sum = Sum::default();
-    for (x, y) in a.into_iter().zip(b) {
-        sum.add([x, y, 1.0]);
-    }
-    sum.to_scaled()
+    Sum::dot(a.into(), b.into(), 1.0).to_scaled()
 }
 
 /// Numbers f · 2ᵉ brought to one exponent, the largest of theirs: as ratios, of [`Sum::to_scaled`] the largest between

@@ -5,7 +5,15 @@
 //! shadow is only true where the vertex lies between the light and the plane: the matrix does not know that,
 //! [`cast`] and [`cast_polygon`] do.
 #![cfg_attr(doc, doc = "")]
-#![cfg_attr(doc, doc = include_str!("../figures/planar-similar-triangles.svg"))]
+#![cfg_attr(doc, doc = include_str!("../figures/why.svg"))]
+//!
+//! | module | lecture topic |
+//! | --- | --- |
+//! | [`light_at_infinity`] | onto the ground, all rays parallel |
+//! | [`point_light`] | onto the ground, from a lamp |
+//! | [`any_plane`] | onto any plane, under any light: formula and matrix |
+//! | [`limits`] | false shadows, polygons, clipping to the receiver |
+//! | [`textbook`] | the formulas in doubles, as a book leaves them |
 //!
 //! # Where digits are lost
 //!
@@ -15,20 +23,19 @@
 //!
 //! s and t cancel where the light or the vertex is close to the plane, the denominator where the vertex is almost
 //! level with the light, the numerator where the shadow lies close to the origin but the vertex does not. In
-//! plain doubles ([`cast_by_quotient`], [`cast_by_parameter`], [`shadow_matrix`]) the error is ε times the terms
+//! doubles ([`textbook`], [`shadow_matrix`]) the error is ε times the terms
 //! that cancelled. Far from the origin the matrix loses twice as many digits as the quotient: its last column holds
 //! products of two large numbers. Move the origin close to the scene first; where that is not enough, use [`cast`].
 
-mod exact_cast;
-mod matrix;
-mod plain;
-mod polygon;
+pub mod any_plane;
+mod error;
+pub mod light_at_infinity;
+pub mod limits;
+pub mod point_light;
+pub mod textbook;
 
-pub use exact_cast::{Placement, cast, cast_counted, classify};
-pub use matrix::{
-    PlanarShadowError, ground_matrix_directional, ground_matrix_point, shadow_matrix,
-};
-pub use plain::{
-    cast_by_parameter, cast_by_parameter_counted, cast_by_quotient, cast_by_quotient_counted,
-};
-pub use polygon::{cast_onto, cast_polygon, cast_polygon_each};
+pub use any_plane::{cast, cast_plain, counted, shadow_matrix};
+pub use error::PlanarShadowError;
+pub use light_at_infinity::ground_matrix_directional;
+pub use limits::{Placement, cast_onto, cast_polygon, cast_polygon_each, classify};
+pub use point_light::ground_matrix_point;

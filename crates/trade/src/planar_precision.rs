@@ -25,7 +25,7 @@
 //! - `matrix f64` (the baseline), `matrix f32`: the shadow matrix, made in doubles once a light outside the clock, times
 //!   a vertex, divided by w where w > 0. In f32 the vertices are stored in f32 too, as in a vertex buffer. (A vertex
 //!   behind the plane has w > 0 too: pipelines clip it away. None is behind it here.)
-//! - `quotient f64`, `parameter f64`, `cast`: [`cast_by_quotient`], [`cast_by_parameter`] and the correctly rounded
+//! - `quotient f64`, `parameter f64`, `cast`: [`by_quotient`], [`by_parameter`] and the correctly rounded
 //!   [`cast`](ombra_shadows::planar::cast()) of `ombra-shadows`, which also decide whether there is a shadow.
 //! - `directional f64` (`to-infinity`): the light is taken as a direction, w = 0, and w divided out of the matrix, so that
 //!   nine multiplications are left. Its error is that of calling a far light infinitely far, O(w).
@@ -34,8 +34,8 @@
 //! Counted work is of numbers as the technique has them: a multiplication of `cast` is one of double-doubles, a dozen
 //! or more of doubles.
 //!
-//! [`cast_by_quotient`]: ombra_shadows::planar::cast_by_quotient
-//! [`cast_by_parameter`]: ombra_shadows::planar::cast_by_parameter
+//! [`by_quotient`]: ombra_shadows::planar::textbook::by_quotient
+//! [`by_parameter`]: ombra_shadows::planar::textbook::by_parameter
 
 mod advice;
 mod scene;

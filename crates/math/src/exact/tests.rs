@@ -60,6 +60,15 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
     #[test]
+    fn differences_are_exact(a in prop::collection::vec([finite(), finite(), finite()], 0..5),
+                             b in prop::collection::vec([finite(), finite(), finite()], 0..5)) {
+        let difference = Sum::of(&a) - Sum::of(&b);
+        let exact = rational(&a) - rational(&b);
+        prop_assert_eq!(difference.sign(), Some(exact.cmp(&BigRational::from_integer(BigInt::from(0)))));
+        prop_assert!(is_nearest(difference.to_f64(), &exact) || difference.to_f64() == 0.0);
+    }
+
+    #[test]
     fn sign_and_rounding_are_exact(terms in prop::collection::vec([finite(), finite(), finite()], 0..6)) {
         let (sum, exact) = (Sum::of(&terms), rational(&terms));
         let zero = BigRational::from_integer(BigInt::from(0));
@@ -162,4 +171,16 @@ fn ratios_of_any_exponents() {
     }
     assert!(relative(&[(f64::NAN, least), (1.0, top)])[0].is_nan());
     assert_eq!(relative(&[]), [0.0; 0]);
+}
+
+#[test]
+fn what_is_not_finite_is_no_difference() {
+    let (good, bad) = (Sum::of(&[[1.0; 3]]), Sum::of(&[[f64::NAN, 0.0, 1.0]]));
+    for difference in [
+        good.clone() - bad.clone(),
+        bad.clone() - good,
+        bad.clone() - bad,
+    ] {
+        assert_eq!(difference.sign(), None);
+    }
 }

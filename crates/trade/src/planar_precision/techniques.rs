@@ -3,7 +3,7 @@
 
 use ombra_math::glam::{DVec3, Vec3};
 use ombra_math::work::{Count, Counter};
-use ombra_shadows::planar::{cast_by_parameter_counted, cast_by_quotient_counted, cast_counted};
+use ombra_shadows::planar::{counted, textbook};
 
 use super::scene::Scene;
 
@@ -49,24 +49,24 @@ pub fn directional_f64(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3
 
 /// (s V − t L) / (s − L_w t).
 pub fn quotient_f64(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
-    scene.each(|v| cast_by_quotient_counted(scene.plane, scene.light, v, work))
+    scene.each(|v| textbook::by_quotient(scene.plane, scene.light, v, work))
 }
 
 /// L + k (V − L), or V − k L for a light at infinity.
 pub fn parameter_f64(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
-    scene.each(|v| cast_by_parameter_counted(scene.plane, scene.light, v, work))
+    scene.each(|v| textbook::by_parameter(scene.plane, scene.light, v, work))
 }
 
 /// Decided exactly, rounded once.
 pub fn cast(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
-    scene.each(|v| cast_counted(scene.plane, scene.light, v, work))
+    scene.each(|v| counted::cast(scene.plane, scene.light, v, work))
 }
 
 /// The quotient form with the origin in the middle of the scene, where the shadows stay.
 pub fn moved_origin(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
     scene.each(|v| {
         work.add(Counter::Additions, 3);
-        cast_by_quotient_counted(scene.local_plane, scene.local_light, v - scene.middle, work)
+        textbook::by_quotient(scene.local_plane, scene.local_light, v - scene.middle, work)
     })
 }
 

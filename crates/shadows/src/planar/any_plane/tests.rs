@@ -1,3 +1,5 @@
+use super::super::{ground_matrix_directional, ground_matrix_point};
+use super::fast::{Quick, in_double_double};
 use super::*;
 use ombra_math::solids::slide_cube;
 use ombra_math::work::Work;
@@ -57,7 +59,7 @@ fn the_slide_cube_under_a_lamp() {
 fn ordinary_input_needs_no_fallback() {
     let mut work = Work::default();
     for v in slide_cube().positions {
-        let _ = cast_counted(Plane::GROUND, LAMP, v, &mut work);
+        let _ = counted::cast(Plane::GROUND, LAMP, v, &mut work);
     }
     assert_eq!((work.vertices, work.exact_fallbacks), (8, 0));
 }
@@ -231,8 +233,8 @@ proptest! {
         }
         prop_assume!(plane.d.is_finite());
         match in_double_double(plane, light, v, &mut ()) {
-            Quick::Shadow(p) => prop_assert_eq!(Some(p), exactly(plane, light, v)),
-            Quick::NoShadow => prop_assert_eq!(None, exactly(plane, light, v)),
+            Quick::Shadow(p) => prop_assert_eq!(Some(p), cast_plain(plane, light, v, &mut ())),
+            Quick::NoShadow => prop_assert_eq!(None, cast_plain(plane, light, v, &mut ())),
             Quick::InDoubt => {}
         }
     }
@@ -247,5 +249,122 @@ proptest! {
         if shadow.is_some() {
             prop_assert_eq!(classify(plane, light, v), Some(Placement::Casts));
         }
+    }
+}
+
+#[test]
+fn sentences_name_the_value() {
+    let bad = DVec4::new(f64::NAN, 1.0, 0.0, 1.0);
+    let message = shadow_matrix(Plane::GROUND, bad).unwrap_err().to_string();
+    assert!(
+        message.contains("[NaN, 1, 0, 1]") && message.contains("finite"),
+        "{message}"
+    );
+    let message = shadow_matrix(Plane::GROUND, DVec4::X)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        message.contains("[1, 0, 0, 0]") && message.contains("along the plane"),
+        "{message}"
+    );
+}
+
+#[test]
+fn the_light_is_in_the_kernel_and_the_plane_is_kept() {
+    let plane = Plane {
+        normal: DVec3::new(1.0, 2.0, 3.0),
+        d: 4.0,
+    };
+    let light = DVec4::new(3.0, 7.0, 2.0, 1.0);
+    let m = shadow_matrix(plane, light).unwrap();
+    assert_eq!(m * light, DVec4::ZERO);
+    let on_plane = DVec4::new(-4.0, 0.0, 0.0, 1.0);
+    assert_eq!(m * on_plane, on_plane * plane.coefficients().dot(light));
+    // The corrected entries of the slide's matrix, as rows of the transpose.
+    assert_eq!(m.row(3), DVec4::new(-1.0, -2.0, -3.0, 23.0));
+    assert_eq!(m * DVec4::ONE, DVec4::new(-3.0, -43.0, 7.0, 17.0));
+}
+
+#[test]
+fn ground_matrices_are_the_general_one() {
+    let l = DVec3::new(0.0, 100.0, 100.0);
+    assert_eq!(
+        shadow_matrix(Plane::GROUND, l.extend(1.0)),
+        ground_matrix_point(l)
+    );
+    let l = DVec3::splat(10.0);
+    let general = shadow_matrix(Plane::GROUND, l.extend(0.0)).unwrap();
+    assert_eq!(general / 10.0, ground_matrix_directional(l).unwrap());
+}
+
+#[test]
+fn a_turned_plane_or_light_is_the_same() {
+    let plane = Plane {
+        normal: DVec3::new(1.0, -2.0, 0.5),
+        d: 3.0,
+    };
+    for light in [
+        DVec4::new(3.0, 9.0, -2.0, 1.0),
+        DVec4::new(3.0, 9.0, -2.0, 0.0),
+    ] {
+        let m = shadow_matrix(plane, light).unwrap();
+        assert_eq!(shadow_matrix(plane.turned(), light).unwrap(), m);
+        if light.w != 0.0 {
+            assert_eq!(shadow_matrix(plane, -light).unwrap(), m);
+        }
+    }
+}
+
+#[test]
+fn extremes_are_scaled_or_refused() {
+    let tall = Plane {
+        normal: DVec3::Y * 1e300,
+        d: 0.0,
+    };
+    let m = shadow_matrix(tall, DVec4::new(1e300, 1e300, 0.0, 1.0)).unwrap();
+    let p = m * DVec4::new(0.0, 1e290, 0.0, 1.0);
+    assert!((p.x / p.w + 1e290).abs() < 1e280, "{p}");
+    let tiny = Plane {
+        normal: DVec3::Y * 1e-300,
+        d: 0.0,
+    };
+    let m = shadow_matrix(tiny, DVec4::new(0.0, 1e-300, 1e-300, 0.0)).unwrap();
+    assert_eq!(
+        m * DVec4::new(0.0, 5.0, 0.0, 1.0) / m.w_axis.w,
+        DVec4::new(0.0, 0.0, -5.0, 1.0)
+    );
+    assert_eq!(
+        ground_matrix_directional(DVec3::new(1e300, 1e-300, 0.0)),
+        Err(PlanarShadowError::TooLarge(DVec4::new(
+            1e300, 1e-300, 0.0, 0.0
+        )))
+    );
+    for (plane, light) in [
+        (
+            Plane {
+                normal: DVec3::ZERO,
+                d: 1.0,
+            },
+            DVec4::ONE,
+        ),
+        (
+            Plane {
+                normal: DVec3::NAN,
+                d: 1.0,
+            },
+            DVec4::ONE,
+        ),
+        (
+            Plane {
+                normal: DVec3::Y,
+                d: f64::INFINITY,
+            },
+            DVec4::ONE,
+        ),
+        (Plane::GROUND, DVec4::ZERO),
+        (Plane::GROUND, DVec4::INFINITY),
+        (Plane::GROUND, DVec4::new(1.0, 0.0, 3.0, 1.0)),
+    ] {
+        assert!(shadow_matrix(plane, light).is_err(), "{plane:?} {light}");
     }
 }

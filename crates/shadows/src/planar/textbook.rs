@@ -1,12 +1,16 @@
-//! The lecture's formulas in plain doubles: fast, and wrong where digits cancel.
+//! The formulas as a book leaves them, in doubles: fast, and wrong where digits cancel.
+//!
+//! s and t cancel where the light or the vertex is close to the plane, the denominator where the vertex is almost level with
+//! the light. Whether there is a shadow is then decided by rounding. [`cast_plain`](super::cast_plain) is the same
+//! formula without it.
 
 use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::plane::Plane;
 use ombra_math::work::{Count, Counter};
 
-use super::exact_cast::towards_place;
+use super::any_plane::towards_place;
 
-/// The shadow of `v` by the quotient form in plain doubles, or `None` where there is none.
+/// The shadow of `v` by the quotient form in doubles, or `None` where there is none.
 ///
 /// # Formula
 ///
@@ -30,10 +34,10 @@ use super::exact_cast::towards_place;
 /// ```
 /// use ombra_math::glam::{DVec3, DVec4};
 /// use ombra_math::plane::Plane;
-/// use ombra_shadows::planar::cast_by_quotient;
+/// use ombra_shadows::planar::textbook::by_quotient;
 ///
 /// let light = DVec4::new(0.0, 100.0, 100.0, 1.0);
-/// let shadow = cast_by_quotient(Plane::GROUND, light, DVec3::new(0.0, 20.0, 0.0));
+/// let shadow = by_quotient(Plane::GROUND, light, DVec3::new(0.0, 20.0, 0.0), &mut ());
 /// assert_eq!(shadow, Some(DVec3::new(0.0, 0.0, -25.0)));
 /// ```
 ///
@@ -42,30 +46,21 @@ use super::exact_cast::towards_place;
 /// Bologna, «Ombre su piani»; Olomouc, «Zdroj světla v bodě».
 #[inline]
 #[must_use]
-pub fn cast_by_quotient(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
-    cast_by_quotient_counted(plane, light, v, &mut ())
-}
-
-/// [`cast_by_quotient`], counting its arithmetic.
-#[inline]
-#[must_use]
-pub fn cast_by_quotient_counted(
-    plane: Plane,
-    light: DVec4,
-    v: DVec3,
-    work: &mut impl Count,
-) -> Option<DVec3> {
+pub fn by_quotient(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) -> Option<DVec3> {
     let light = towards_place(light);
+    let l = light.truncate();
     let [s, t, w] = heights(plane, light, v, work);
     if !casts(s, t, w) {
         return None;
     }
-    let numerator = minus(times(s, v, work), times(t, light.truncate(), work), work);
-    let p = over(numerator, w, work);
+    let p = (s * v - t * l) / w;
+    work.add(Counter::Multiplications, 6);
+    work.add(Counter::Additions, 3);
+    work.add(Counter::Divisions, 3);
     p.is_finite().then_some(p)
 }
 
-/// The shadow of `v` by the parameter along its ray, in plain doubles, or `None` where there is none.
+/// The shadow of `v` by the parameter along its ray, in doubles, or `None` where there is none.
 ///
 /// # Formula
 ///
@@ -84,10 +79,10 @@ pub fn cast_by_quotient_counted(
 /// ```
 /// use ombra_math::glam::{DVec3, DVec4};
 /// use ombra_math::plane::Plane;
-/// use ombra_shadows::planar::cast_by_parameter;
+/// use ombra_shadows::planar::textbook::by_parameter;
 ///
 /// let light = DVec4::new(0.0, 100.0, 100.0, 1.0);
-/// let shadow = cast_by_parameter(Plane::GROUND, light, DVec3::new(0.0, 20.0, 0.0));
+/// let shadow = by_parameter(Plane::GROUND, light, DVec3::new(0.0, 20.0, 0.0), &mut ());
 /// assert_eq!(shadow, Some(DVec3::new(0.0, 0.0, -25.0)));
 /// ```
 ///
@@ -96,49 +91,40 @@ pub fn cast_by_quotient_counted(
 /// Bologna, «Ombre su piani», general case; Olomouc, «Zdroj v nekonečnu», «Projekce na libovolnou plochu».
 #[inline]
 #[must_use]
-pub fn cast_by_parameter(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
-    cast_by_parameter_counted(plane, light, v, &mut ())
-}
-
-/// [`cast_by_parameter`], counting its arithmetic.
-#[inline]
-#[must_use]
-pub fn cast_by_parameter_counted(
-    plane: Plane,
-    light: DVec4,
-    v: DVec3,
-    work: &mut impl Count,
-) -> Option<DVec3> {
+pub fn by_parameter(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) -> Option<DVec3> {
     let light = towards_place(light);
+    let l = light.truncate();
     let [s, t, w] = heights(plane, light, v, work);
     if !casts(s, t, w) {
         return None;
     }
-    work.add(Counter::Divisions, 1);
+    work.add(Counter::Multiplications, 3);
     let p = if light.w == 0.0 {
+        // Against the direction of the light, down to the plane.
         let k = t / s;
-        minus(v, times(k, light.truncate(), work), work)
+        work.add(Counter::Divisions, 1);
+        work.add(Counter::Additions, 3);
+        v - k * l
     } else {
+        // From the light's place through the vertex.
         let k = s / w;
-        let place = over(light.truncate(), light.w, work);
-        plus(place, times(k, minus(v, place, work), work), work)
+        let place = l / light.w;
+        work.add(Counter::Divisions, 4);
+        work.add(Counter::Additions, 6);
+        place + k * (v - place)
     };
     p.is_finite().then_some(p)
 }
 
-/// s = π·L, t = n·V + d and s − L_w t.
+/// s = π·L and t = n·V + d, the heights of light and vertex times ‖n‖, and s − L_w t.
 #[inline]
 fn heights(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) -> [f64; 3] {
-    work.add(Counter::Vertices, 1);
     let s = plane.coefficients().dot(light);
-    work.add(Counter::Multiplications, 4);
-    work.add(Counter::Additions, 3);
     let t = plane.normal.dot(v) + plane.d;
-    work.add(Counter::Multiplications, 3);
-    work.add(Counter::Additions, 3);
     let w = s - light.w * t;
-    work.add(Counter::Multiplications, 1);
-    work.add(Counter::Additions, 1);
+    work.add(Counter::Vertices, 1);
+    work.add(Counter::Multiplications, 8);
+    work.add(Counter::Additions, 7);
     [s, t, w]
 }
 
@@ -152,30 +138,6 @@ fn casts(s: f64, t: f64, w: f64) -> bool {
     }
 }
 
-#[inline]
-fn times(k: f64, v: DVec3, work: &mut impl Count) -> DVec3 {
-    work.add(Counter::Multiplications, 3);
-    k * v
-}
-
-#[inline]
-fn over(v: DVec3, divisor: f64, work: &mut impl Count) -> DVec3 {
-    work.add(Counter::Divisions, 3);
-    v / divisor
-}
-
-#[inline]
-fn plus(a: DVec3, b: DVec3, work: &mut impl Count) -> DVec3 {
-    work.add(Counter::Additions, 3);
-    a + b
-}
-
-#[inline]
-fn minus(a: DVec3, b: DVec3, work: &mut impl Count) -> DVec3 {
-    work.add(Counter::Additions, 3);
-    a - b
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::cast;
@@ -184,7 +146,10 @@ mod tests {
     use proptest::prelude::*;
 
     type Form = fn(Plane, DVec4, DVec3) -> Option<DVec3>;
-    const FORMS: [Form; 2] = [cast_by_quotient, cast_by_parameter];
+    const FORMS: [Form; 2] = [
+        |plane, light, v| by_quotient(plane, light, v, &mut ()),
+        |plane, light, v| by_parameter(plane, light, v, &mut ()),
+    ];
 
     proptest! {
         /// Far from any cancellation both forms are good: a bound of this scene, against the correctly rounded answer.
@@ -244,13 +209,13 @@ mod tests {
     fn counted_work_is_that_of_the_formulas() {
         let (lamp, sun) = (DVec4::new(0.0, 10.0, 0.0, 1.0), DVec4::Y);
         let mut work = Work::default();
-        let _ = cast_by_quotient_counted(Plane::GROUND, lamp, DVec3::Y, &mut work);
+        let _ = by_quotient(Plane::GROUND, lamp, DVec3::Y, &mut work);
         assert_eq!(
             (work.vertices, work.multiplications, work.divisions),
             (1, 14, 3)
         );
         let mut work = Work::default();
-        let _ = cast_by_parameter_counted(Plane::GROUND, sun, DVec3::Y, &mut work);
+        let _ = by_parameter(Plane::GROUND, sun, DVec3::Y, &mut work);
         assert_eq!(
             (work.vertices, work.multiplications, work.divisions),
             (1, 11, 1)
