@@ -10,7 +10,7 @@ use std::slice::from_ref;
 use ombra_tests::topic_index::{Row, included_figures, parse, public_modules};
 
 /// The crates that are tools: every other one is a lecture.
-const TOOLS: [&str; 3] = ["figures", "trade", "ombra"];
+const TOOLS: [&str; 4] = ["figures", "oracle", "trade", "ombra"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
