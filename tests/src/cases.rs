@@ -3,10 +3,9 @@
 //! Uniform coordinates find nothing: exponents are spread over the whole range, a share of the numbers is
 //! subnormal, and a third of the cases lies within 10⁻¹² of a degenerate one.
 
-use ombra_math::glam::{DVec3, DVec4};
+use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::plane::Plane;
-
-use crate::dyadic::power_of_two;
+use ombra_oracle::Exact;
 
 /// A small generator with a fixed course (Steele, Lea and Flood, 2014: SplitMix64).
 #[derive(Clone, Debug)]
@@ -37,7 +36,7 @@ impl Random {
 
     /// A number in [a, b), uniformly.
     pub fn between(&mut self, a: f64, b: f64) -> f64 {
-        a + (b - a) * ((self.bits() >> 11) as f64 * power_of_two(-53))
+        a + (b - a) * ((self.bits() >> 11) as f64 * (f64::EPSILON / 2.0))
     }
 
     /// A mantissa in ±[1, 2), times 2^e with the exponent uniform from `low` to `high`.
@@ -53,7 +52,7 @@ impl Random {
     /// 2^e with the exponent uniform from `low` to `high`, both among those of the doubles.
     pub fn power_of_two(&mut self, low: i32, high: i32) -> f64 {
         let span = u32::try_from(high - low + 1).unwrap_or(1);
-        power_of_two(i64::from(low) + i64::from(self.below(span)))
+        Exact::power_of_two(i64::from(low) + i64::from(self.below(span))).nearest()
     }
 
     /// A direction of three coordinates in [−1, 1).
@@ -212,6 +211,41 @@ fn nearly_degenerate(random: &mut Random, case: &mut Case) {
             }
         }
     }
+}
+
+/// A number of one of five kinds: on the grid of a window 0…8, halves, doubles about it, within two ulps of the grid,
+/// and of any size.
+fn near_grid(random: &mut Random, kind: u32) -> f64 {
+    let grid = f64::from(random.below(17)) - 4.0;
+    match kind {
+        0 => grid,
+        1 => grid + 0.5,
+        2 => random.between(-4.0, 12.0),
+        3 => [
+            grid.next_up(),
+            grid.next_down(),
+            grid.next_up().next_up(),
+            grid,
+        ][random.below(4) as usize],
+        _ => match random.below(3) {
+            0 => random.exponential(-1074, 1022),
+            1 => [f64::MAX, -f64::MAX, 5e-324, -0.0][random.below(4) as usize],
+            _ => random.between(-4.0, 12.0),
+        },
+    }
+}
+
+/// A point of such numbers, mostly of one kind, now and then of another.
+pub fn point_near_grid(random: &mut Random, kind: u32) -> DVec2 {
+    let mut one = || {
+        let kind = if random.below(8) == 0 {
+            random.below(5)
+        } else {
+            kind
+        };
+        near_grid(random, kind)
+    };
+    DVec2::new(one(), one())
 }
 
 #[cfg(test)]

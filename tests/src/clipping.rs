@@ -2,125 +2,40 @@
 //! in exact numbers.
 
 use ombra_math::glam::{DVec2, DVec3, DVec4};
-
-use crate::dyadic::{Dyadic, nearest_double};
-
-/// A parameter t = `numerator` / `denominator`, the denominator positive.
-#[derive(Clone, Debug)]
-struct Parameter {
-    numerator: Dyadic,
-    denominator: Dyadic,
-}
-
-impl Parameter {
-    fn whole(t: i64) -> Option<Self> {
-        Some(Self {
-            numerator: Dyadic::new(t as f64)?,
-            denominator: Dyadic::power_of_two(0),
-        })
-    }
-
-    fn exceeds(&self, other: &Self) -> bool {
-        let left = &self.numerator * &other.denominator;
-        left.compare(&(&other.numerator * &self.denominator))
-            .is_gt()
-    }
-
-    /// a + t (b − a), to the nearest double.
-    fn between(&self, a: &Dyadic, b: &Dyadic) -> Option<f64> {
-        let numerator = &(a * &self.denominator) + &(&self.numerator * &(b - a));
-        nearest_double(&numerator, &self.denominator)
-    }
-}
+use ombra_oracle::Exact;
+use ombra_oracle::interval::{between, not_negative};
+use ombra_oracle::vector::{self, exact, minus};
 
 /// The part of the segment from `a` to `b` in the rectangle from `min` to `max`, by the four inequalities in t: ends
 /// inside as they are, others to the nearest double. `None` if nothing is left, or a coordinate is not finite.
 #[must_use]
 pub fn of_segment([min, max]: [DVec2; 2], [a, b]: [DVec2; 2]) -> Option<[DVec2; 2]> {
-    let exact = |p: DVec2| Some([Dyadic::new(p.x)?, Dyadic::new(p.y)?]);
-    let (a, b, min, max) = (exact(a)?, exact(b)?, exact(min)?, exact(max)?);
-    let (mut first, mut last) = (Parameter::whole(0)?, Parameter::whole(1)?);
-    for k in 0..2 {
-        let d = &b[k] - &a[k];
-        if d.is_zero() {
-            if a[k].compare(&min[k]).is_lt() || a[k].compare(&max[k]).is_gt() {
-                return None;
-            }
-            continue;
-        }
-        let towards = |side: &Dyadic| {
-            let distance = side - &a[k];
-            let turned = d.sign().is_lt();
-            Parameter {
-                numerator: if turned { -&distance } else { distance },
-                denominator: d.abs(),
-            }
-        };
-        let (entry, exit) = if d.sign().is_lt() {
-            (towards(&max[k]), towards(&min[k]))
-        } else {
-            (towards(&min[k]), towards(&max[k]))
-        };
-        if entry.exceeds(&first) {
-            first = entry;
-        }
-        if last.exceeds(&exit) {
-            last = exit;
-        }
-    }
-    if first.exceeds(&last) {
-        return None;
-    }
-    let point = |t: &Parameter| {
-        Some(DVec2::new(
-            t.between(&a[0], &b[0])?,
-            t.between(&a[1], &b[1])?,
-        ))
-    };
-    Some([point(&first)?, point(&last)?])
-}
-
-/// The part of a segment on which all of `sides`, linear from the first value to the second, are not negative.
-fn part(sides: &[[Dyadic; 2]]) -> Option<[Parameter; 2]> {
-    let (mut first, mut last) = (Parameter::whole(0)?, Parameter::whole(1)?);
-    for [s, e] in sides {
-        let difference = s - e;
-        if difference.is_zero() {
-            if s.sign().is_lt() {
-                return None;
-            }
-            continue;
-        }
-        let falls = difference.sign().is_gt();
-        let zero = Parameter {
-            numerator: if falls { s.clone() } else { -s },
-            denominator: difference.abs(),
-        };
-        if falls && last.exceeds(&zero) {
-            last = zero;
-        } else if !falls && zero.exceeds(&first) {
-            first = zero;
-        }
-    }
-    (!first.exceeds(&last)).then_some([first, last])
+    let ends = in_range([exact(min)?, exact(max)?], [exact(a)?, exact(b)?])?;
+    Some(ends.map(DVec2::from))
 }
 
 /// The part of the segment from `a` to `b` in the box from `min` to `max`, by six inequalities in t: as [`of_segment`].
 #[must_use]
 pub fn in_box([min, max]: [DVec3; 2], [a, b]: [DVec3; 2]) -> Option<[DVec3; 2]> {
-    let mut sides = Vec::new();
-    for k in 0..3 {
-        let [a, b, min, max] = [a[k], b[k], min[k], max[k]].map(Dyadic::new);
-        let (a, b, min, max) = (a?, b?, min?, max?);
-        sides.push([&a - &min, &b - &min]);
-        sides.push([&max - &a, &max - &b]);
-    }
-    let [first, last] = part(&sides)?;
-    let point = |t: &Parameter| -> Option<DVec3> {
-        let at = |k: usize| t.between(&Dyadic::new(a[k])?, &Dyadic::new(b[k])?);
-        Some(DVec3::new(at(0)?, at(1)?, at(2)?))
-    };
-    Some([point(&first)?, point(&last)?])
+    let ends = in_range([exact(min)?, exact(max)?], [exact(a)?, exact(b)?])?;
+    Some(ends.map(DVec3::from))
+}
+
+fn in_range<const N: usize>(
+    [min, max]: [[Exact; N]; 2],
+    ends: [[Exact; N]; 2],
+) -> Option<[[f64; N]; 2]> {
+    let above = ends.each_ref().map(|p| minus(p, &min));
+    let below = ends.each_ref().map(|p| minus(&max, p));
+    let sides: Vec<_> = ([above, below].iter())
+        .flat_map(|[a, b]| a.iter().cloned().zip(b.iter().cloned()).map(Into::into))
+        .collect();
+    Some(not_negative(&sides)?.map(|t| nearest_at(&t, &ends)))
+}
+
+/// The doubles nearest to the point (1 − t) a + t b.
+fn nearest_at<const N: usize>(t: &Exact, [a, b]: &[[Exact; N]; 2]) -> [f64; N] {
+    core::array::from_fn(|k| between(t, &a[k], &b[k]).nearest())
 }
 
 /// w and a coordinate, of which the sum or the difference is not negative in the view volume: `axis` 0 to 2, the sign of
@@ -138,8 +53,8 @@ pub const VIEW_SIDES: [ViewSide; 6] = [
 ];
 
 /// w ± the coordinate; `None` if one is not finite.
-fn view_side(p: DVec4, (axis, sign): ViewSide) -> Option<Dyadic> {
-    Some(&Dyadic::new(p.w)? + &Dyadic::new(sign * p[axis])?)
+fn view_side(p: DVec4, (axis, sign): ViewSide) -> Option<Exact> {
+    Some(Exact::new(p.w)? + Exact::new(sign * p[axis])?)
 }
 
 /// The part of the homogeneous segment (1 − t) a + t b in the view volume, to the nearest doubles. Of (0, 0, 0, 0), which
@@ -152,13 +67,8 @@ pub fn in_view_volume([a, b]: [DVec4; 2]) -> Option<[DVec4; 2]> {
     let sides: Option<Vec<_>> = (VIEW_SIDES.iter())
         .map(|&side| Some([view_side(a, side)?, view_side(b, side)?]))
         .collect();
-    let [first, last] = part(&sides?)?;
-    let exact = |k: usize| Some([Dyadic::new(a[k])?, Dyadic::new(b[k])?]);
-    let point = |t: &Parameter| -> Option<DVec4> {
-        let at = |k: usize| exact(k).and_then(|[a, b]| t.between(&a, &b));
-        Some(DVec4::new(at(0)?, at(1)?, at(2)?, at(3)?))
-    };
-    let (c, d) = (point(&first)?, point(&last)?);
+    let ends = [exact(a)?, exact(b)?];
+    let [c, d] = not_negative(&sides?)?.map(|t| DVec4::from(nearest_at(&t, &ends)));
     match [c, d].map(|p| p == DVec4::ZERO) {
         [false, false] => Some([c, d]),
         [true, false] => Some([d, d]),
@@ -184,11 +94,10 @@ pub fn polygon_in_view_volume<const N: usize>(
             .map(|c| view_side(position(c)?, side))
             .collect();
         let values = values?;
-        let any = |order: fn(core::cmp::Ordering) -> bool| values.iter().any(|s| order(s.sign()));
-        if !any(core::cmp::Ordering::is_lt) {
+        if values.iter().all(|s| *s >= 0) {
             continue;
         }
-        if !any(core::cmp::Ordering::is_gt) {
+        if values.iter().all(|s| *s <= 0) {
             return Some(Vec::new());
         }
         let mut kept = Vec::new();
@@ -201,17 +110,9 @@ pub fn polygon_in_view_volume<const N: usize>(
                 continue;
             };
             if s.sign() != e.sign() && !s.is_zero() && !e.is_zero() {
-                let t = Parameter {
-                    numerator: s.abs(),
-                    denominator: (s - e).abs(),
-                };
-                let mut corner = *a;
-                for (x, (a, b)) in corner.iter_mut().zip(a.iter().zip(b)) {
-                    *x = t.between(&Dyadic::new(*a)?, &Dyadic::new(*b)?)?;
-                }
-                kept.push(corner);
+                kept.push(nearest_at(&s.over(&(s - e))?, &[exact(*a)?, exact(*b)?]));
             }
-            if !e.sign().is_lt() {
+            if *e >= 0 {
                 kept.push(*b);
             }
         }
@@ -229,17 +130,18 @@ pub fn polygon_in_view_volume<const N: usize>(
     })
 }
 
+/// The edges of a polygon, the last one back to the first corner.
+pub fn edges(polygon: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
+    let next = polygon.iter().cycle().skip(1);
+    polygon.iter().copied().zip(next.copied())
+}
+
 /// Twice the signed area of a polygon, positive counter-clockwise with y upwards; `None` if a coordinate is not
 /// finite.
 #[must_use]
-pub fn doubled_area(polygon: &[DVec2]) -> Option<Dyadic> {
-    let mut sum = Dyadic::zero();
-    for (p, q) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
-        let cross =
-            &(&Dyadic::new(p.x)? * &Dyadic::new(q.y)?) - &(&Dyadic::new(p.y)? * &Dyadic::new(q.x)?);
-        sum = &sum + &cross;
-    }
-    Some(sum)
+pub fn doubled_area(polygon: &[DVec2]) -> Option<Exact> {
+    let polygon: Option<Vec<_>> = polygon.iter().map(|&p| exact(p)).collect();
+    Some(vector::doubled_area(&polygon?))
 }
 
 #[cfg(test)]
@@ -247,7 +149,6 @@ mod tests {
     use super::{
         VIEW_SIDES, doubled_area, in_box, in_view_volume, of_segment, polygon_in_view_volume,
     };
-    use crate::dyadic::Dyadic;
     use ombra_math::glam::{DVec2, DVec3, DVec4};
 
     #[test]
@@ -329,8 +230,8 @@ mod tests {
     #[test]
     fn the_area_of_half_a_square() {
         let triangle = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0)].map(DVec2::from);
-        let area = doubled_area(&triangle).unwrap();
-        assert!(area.compare(&Dyadic::new(16.0).unwrap()).is_eq());
-        assert!(doubled_area(&[]).unwrap().is_zero());
+        assert_eq!(doubled_area(&triangle).unwrap(), 16);
+        assert_eq!(doubled_area(&[]).unwrap(), 0);
+        assert_eq!(doubled_area(&[DVec2::NAN]), None);
     }
 }

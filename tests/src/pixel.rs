@@ -3,8 +3,7 @@
 use core::cmp::Ordering;
 
 use ombra_math::glam::{DVec2, IVec2};
-
-use crate::dyadic::Dyadic;
+use ombra_oracle::vector::{exact, turn};
 
 /// The pixels of the segment from `a` to `b`: in each column, or row if it is steep, the one nearest to the line; of
 /// two as near, the one nearer `a`.
@@ -73,20 +72,15 @@ fn at(a: IVec2, b: IVec2, k: i128, i: i128) -> IVec2 {
 #[must_use]
 pub fn in_triangle(triangle: [DVec2; 3], x: u32, y: u32) -> Option<bool> {
     let [a, b, c] = triangle;
-    let p = [x, y].map(|k| Dyadic::new(f64::from(k) + 0.5));
-    let [Some(px), Some(py)] = p else { return None };
+    let p = exact([x, y].map(|k| f64::from(k) + 0.5))?;
     let mut sides = [Ordering::Equal; 3];
     for (side, (from, to)) in sides.iter_mut().zip([(a, b), (b, c), (c, a)]) {
-        let [ax, ay, bx, by] = [
-            Dyadic::new(from.x)?,
-            Dyadic::new(from.y)?,
-            Dyadic::new(to.x)?,
-            Dyadic::new(to.y)?,
-        ];
-        let (dx, dy) = (&bx - &ax, &by - &ay);
+        let (a, b) = (exact(from)?, exact(to)?);
         // E(P) = dx (p_y − a_y) − dy (p_x − a_x); moving P adds −dy δ + dx δ².
-        let e = &(&dx * &(&py - &ay)) - &(&dy * &(&px - &ax));
-        *side = e.sign().then((-&dy).sign()).then(dx.sign());
+        *side = turn(&a, &b, &p)
+            .sign()
+            .then(a[1].cmp(&b[1]))
+            .then(b[0].cmp(&a[0]));
     }
     Some(sides[0] != Ordering::Equal && sides.iter().all(|&side| side == sides[0]))
 }

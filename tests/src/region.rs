@@ -7,11 +7,11 @@
 use core::cmp::Ordering;
 
 use ombra_math::glam::{DVec3, DVec4};
-
-use crate::dyadic::Dyadic;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{abs, cross, dot, exact, minus};
 
 /// A homogeneous point without rounding.
-pub type Point = [Dyadic; 4];
+pub type Point = [Exact; 4];
 
 /// Where a point lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,28 +28,15 @@ pub enum Location {
 /// anything that a wrong sign or a missing cut moves.
 const SLACK: i64 = -45;
 
-/// The homogeneous point `p`, or `None` if it is not finite.
-#[must_use]
-pub fn exact(p: DVec4) -> Option<Point> {
-    Some([
-        Dyadic::new(p.x)?,
-        Dyadic::new(p.y)?,
-        Dyadic::new(p.z)?,
-        Dyadic::new(p.w)?,
-    ])
-}
-
 /// The sum of `points` times whole `weights`: inside their hull where no weight is negative.
 #[must_use]
 pub fn combine(points: &[Point], weights: &[i32]) -> Point {
-    let mut sum: Point = core::array::from_fn(|_| Dyadic::zero());
-    for (point, &weight) in points.iter().zip(weights) {
-        let Some(weight) = Dyadic::new(f64::from(weight)) else {
-            continue;
-        };
-        sum = core::array::from_fn(|k| &sum[k] + &(&point[k] * &weight));
-    }
-    sum
+    let terms = || points.iter().zip(weights);
+    core::array::from_fn(|k| {
+        terms()
+            .map(|(p, &weight)| &p[k] * Exact::from(weight))
+            .sum()
+    })
 }
 
 /// Where `p` (w > 0) lies against the convex polygon with these `corners`, in a plane of the given `normal`.
@@ -61,14 +48,11 @@ pub fn locate(corners: &[Point], normal: DVec3, p: &Point) -> Location {
     let keep = kept_coordinates(normal);
     let flat = |p: &Point| keep.map(|k| p[k].clone());
     let p = flat(p);
-    let corners: Vec<[Dyadic; 3]> = corners.iter().map(flat).collect();
+    let corners: Vec<[Exact; 3]> = corners.iter().map(flat).collect();
     let (mut left, mut right, mut near) = (false, false, false);
     let next = corners.iter().cycle().skip(1);
     for (a, b) in corners.iter().zip(next) {
-        if a.iter()
-            .zip(b)
-            .all(|(x, y)| x.compare(y) == Ordering::Equal)
-        {
+        if a == b {
             continue;
         }
         match side(a, b, &p) {
@@ -115,12 +99,14 @@ pub fn blocked(p: &Point, light: DVec4, caster: &[DVec3]) -> Option<Location> {
     }
     let turned = signs.0 == Ordering::Less;
     let hit: Point = core::array::from_fn(|k| {
-        let x = &(&at_light * &p[k]) - &(&at_p * &light[k]);
-        if turned { -&x } else { x }
+        let x = &at_light * &p[k] - &at_p * &light[k];
+        if turned { -x } else { x }
     });
+    let [x, y, z, _] = abs(&plane);
+    let largest = x.max(y).max(z);
     let normal = DVec3::from_array(core::array::from_fn(|k| {
         // Only the largest matters, so a rounded quotient will do.
-        crate::dyadic::nearest_double(&plane[k], &largest(&plane)).unwrap_or(0.0)
+        plane[k].ratio(&largest)
     }));
     Some(locate(&corners, normal, &hit))
 }
@@ -137,41 +123,22 @@ pub fn edge_on(polygon: &[DVec3], light: DVec4) -> bool {
         return true;
     };
     let (at_light, size) = incidence(&plane_through(a, b, c), &light);
-    at_light.abs().compare(&size.scaled(-30)) != Ordering::Greater
+    at_light.abs() <= size.scaled(-30)
 }
 
 /// The plane through three places, as coefficients.
 fn plane_through(a: &Point, b: &Point, c: &Point) -> Point {
-    let ab: [Dyadic; 3] = core::array::from_fn(|k| &b[k] - &a[k]);
-    let ac: [Dyadic; 3] = core::array::from_fn(|k| &c[k] - &a[k]);
-    let minor = |i: usize, j: usize| &(&ab[i] * &ac[j]) - &(&ab[j] * &ac[i]);
-    let n = [minor(1, 2), minor(2, 0), minor(0, 1)];
-    let offset = &(&(&n[0] * &a[0]) + &(&n[1] * &a[1])) + &(&n[2] * &a[2]);
+    let place = |[x, y, z, _]: &Point| [x, y, z].map(Exact::clone);
+    let a = place(a);
+    let n = cross(&minus(&place(b), &a), &minus(&place(c), &a));
+    let offset = -dot(&n, &a);
     let [x, y, z] = n;
-    [x, y, z, -&offset]
-}
-
-/// The largest of the three components of the plane's normal, as an absolute value.
-fn largest(plane: &Point) -> Dyadic {
-    let [x, y, z, _] = plane;
-    let mut largest = x.abs();
-    for other in [y.abs(), z.abs()] {
-        if other.compare(&largest) == Ordering::Greater {
-            largest = other;
-        }
-    }
-    largest
+    [x, y, z, offset]
 }
 
 /// π·P, and the sum of the absolute values of its products.
-fn incidence(plane: &Point, p: &Point) -> (Dyadic, Dyadic) {
-    let (mut sum, mut size) = (Dyadic::zero(), Dyadic::zero());
-    for (a, b) in plane.iter().zip(p) {
-        let product = a * b;
-        sum = &sum + &product;
-        size = &size + &product.abs();
-    }
-    (sum, size)
+fn incidence(plane: &Point, p: &Point) -> (Exact, Exact) {
+    (dot(plane, p), dot(&abs(plane), &abs(p)))
 }
 
 /// The two coordinates that are kept beside w: all but the one in which the plane is steepest.
@@ -187,19 +154,19 @@ fn kept_coordinates(normal: DVec3) -> [usize; 3] {
 }
 
 /// The side of the directed line ab on which p lies; equal within the slack.
-fn side(a: &[Dyadic; 3], b: &[Dyadic; 3], p: &[Dyadic; 3]) -> Ordering {
-    let (mut det, mut size) = (Dyadic::zero(), Dyadic::zero());
+fn side(a: &[Exact; 3], b: &[Exact; 3], p: &[Exact; 3]) -> Ordering {
+    let (mut det, mut size) = (Exact::ZERO, Exact::ZERO);
     for [i, j, k] in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
-        let (plus, minus) = (&(&a[i] * &b[j]) * &p[k], &(&a[j] * &b[i]) * &p[k]);
-        det = &det + &(&plus - &minus);
-        size = &size + &(&plus.abs() + &minus.abs());
+        let (plus, minus) = (&a[i] * &b[j] * &p[k], &a[j] * &b[i] * &p[k]);
+        size += plus.abs() + minus.abs();
+        det += plus - minus;
     }
     sign_beyond(&det, &size)
 }
 
 /// The sign of `x`, or equal where it is within the slack of the terms it was summed from.
-fn sign_beyond(x: &Dyadic, size: &Dyadic) -> Ordering {
-    if x.abs().compare(&size.scaled(SLACK)) == Ordering::Greater {
+fn sign_beyond(x: &Exact, size: &Exact) -> Ordering {
+    if x.abs() > size.scaled(SLACK) {
         x.sign()
     } else {
         Ordering::Equal
@@ -208,8 +175,9 @@ fn sign_beyond(x: &Dyadic, size: &Dyadic) -> Ordering {
 
 #[cfg(test)]
 mod tests {
-    use super::{Location, blocked, combine, edge_on, exact, locate};
+    use super::{Location, blocked, combine, edge_on, locate};
     use ombra_math::glam::{DVec3, DVec4};
+    use ombra_oracle::vector::exact;
 
     fn at(x: f64, z: f64) -> DVec4 {
         DVec4::new(x, 0.0, z, 1.0)
@@ -295,6 +263,6 @@ mod tests {
         let [a, b] = [at(0.0, 0.0), at(4.0, 8.0)].map(|p| exact(p).unwrap());
         let sum = combine(&[a, b], &[3, 1]);
         let expected = exact(DVec4::new(4.0, 0.0, 8.0, 4.0)).unwrap();
-        assert!((0..4).all(|k| sum[k].compare(&expected[k]).is_eq()));
+        assert_eq!(sum, expected);
     }
 }

@@ -14,8 +14,8 @@ use core::cmp::Ordering;
 
 use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::plane::Plane;
-
-use crate::dyadic::{Dyadic, nearest_double};
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{abs, dot, exact};
 
 /// What becomes of the vertex, decided by exact signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,15 +35,15 @@ pub enum Decision {
 /// The exact answer for one plane, light and vertex.
 #[derive(Clone, Debug)]
 pub struct ExactShadow {
-    n: [Dyadic; 3],
-    d: Dyadic,
-    light: [Dyadic; 3],
-    light_w: Dyadic,
-    v: [Dyadic; 3],
-    s: Dyadic,
-    t: Dyadic,
-    numerators: [Dyadic; 3],
-    w: Dyadic,
+    n: [Exact; 3],
+    d: Exact,
+    light: [Exact; 3],
+    light_w: Exact,
+    v: [Exact; 3],
+    s: Exact,
+    t: Exact,
+    numerators: [Exact; 3],
+    w: Exact,
 }
 
 /// The unit roundoff of doubles, ε/2, as a power of two.
@@ -61,9 +61,9 @@ impl ExactShadow {
         }
         Self::from_exact(
             exact(plane.normal)?,
-            Dyadic::new(plane.d)?,
+            Exact::new(plane.d)?,
             exact(light.truncate())?,
-            Dyadic::new(light.w)?,
+            Exact::new(light.w)?,
             exact(vertex)?,
         )
     }
@@ -71,16 +71,16 @@ impl ExactShadow {
     /// The same for coordinates that no double holds, such as a double and a step of 10⁻²⁰⁰ beside it.
     #[must_use]
     pub fn from_exact(
-        n: [Dyadic; 3],
-        d: Dyadic,
-        light: [Dyadic; 3],
-        light_w: Dyadic,
-        v: [Dyadic; 3],
+        n: [Exact; 3],
+        d: Exact,
+        light: [Exact; 3],
+        light_w: Exact,
+        v: [Exact; 3],
     ) -> Option<Self> {
-        let s = &dot(&n, &light) + &(&d * &light_w);
-        let t = &dot(&n, &v) + &d;
-        let numerators = core::array::from_fn(|j| &(&s * &v[j]) - &(&t * &light[j]));
-        let w = &s - &(&t * &light_w);
+        let s = dot(&n, &light) + &d * &light_w;
+        let t = dot(&n, &v) + &d;
+        let numerators = core::array::from_fn(|j| &s * &v[j] - &t * &light[j]);
+        let w = &s - &t * &light_w;
         Some(Self {
             n,
             d,
@@ -99,7 +99,7 @@ impl ExactShadow {
     pub fn decision(&self) -> Decision {
         // Turn the light's sign so that L_w ≥ 0, and the plane so that the light is in front of it.
         let light_turned = self.light_w.sign() == Ordering::Less;
-        let signed = |x: &Dyadic, turn: bool| if turn { x.sign().reverse() } else { x.sign() };
+        let signed = |x: &Exact, turn: bool| if turn { x.sign().reverse() } else { x.sign() };
         let s = signed(&self.s, light_turned);
         if s == Ordering::Equal {
             return Decision::LightAlongPlane;
@@ -119,19 +119,18 @@ impl ExactShadow {
     /// along the plane, the vertex nearly on it, or nearly level with the light.
     #[must_use]
     pub fn is_nearly_degenerate(&self) -> bool {
-        let sizes = |x: &[Dyadic; 3]| -> [Dyadic; 3] { core::array::from_fn(|k| x[k].abs()) };
-        let (n, light, v) = (sizes(&self.n), sizes(&self.light), sizes(&self.v));
+        let (n, light, v) = (abs(&self.n), abs(&self.light), abs(&self.v));
         let (d, light_w) = (self.d.abs(), self.light_w.abs());
         let light_size = dot(&n, &light);
         let vertex_size = dot(&n, &v);
-        let s_size = &light_size + &(&d * &light_w);
+        let s_size = &light_size + &d * &light_w;
         let t_size = &vertex_size + &d;
         // W = n·(L − L_w V): the plane's offset has no part in it.
-        let w_size = &light_size + &(&light_w * &vertex_size);
+        let w_size = &light_size + &light_w * &vertex_size;
         // 2⁻⁴⁰ = 0.91 · 10⁻¹².
         [(&self.s, s_size), (&self.t, t_size), (&self.w, w_size)]
             .iter()
-            .any(|(x, size)| x.abs().compare(&size.scaled(-40)) != Ordering::Greater)
+            .any(|(x, size)| x.abs() <= size.scaled(-40))
     }
 
     /// The doubles nearest to the shadow's coordinates (±∞ beyond the largest), where it casts one.
@@ -140,12 +139,7 @@ impl ExactShadow {
         if self.decision() != Decision::Casts {
             return None;
         }
-        let [x, y, z] = &self.numerators;
-        Some([
-            nearest_double(x, &self.w)?,
-            nearest_double(y, &self.w)?,
-            nearest_double(z, &self.w)?,
-        ])
+        Some(self.numerators.each_ref().map(|n| n.ratio(&self.w)))
     }
 
     /// What [`cast`](https://docs.rs/ombra-shadows) has to answer: the nearest doubles, or `None` where there is
@@ -158,7 +152,7 @@ impl ExactShadow {
 
     /// N_j and W of coordinate `j`: the exact coordinate is their quotient.
     #[must_use]
-    pub fn fraction(&self, j: usize) -> (&Dyadic, &Dyadic) {
+    pub fn fraction(&self, j: usize) -> (&Exact, &Exact) {
         (&self.numerators[j], &self.w)
     }
 
@@ -173,16 +167,14 @@ impl ExactShadow {
     /// W² ∂P_j/∂V_k  = −s (A_j n_k − δ_jk W)
     /// ```
     #[must_use]
-    pub fn condition_times_w_squared(&self, j: usize) -> Dyadic {
-        let mut sum = Dyadic::zero();
-        for (input, derivative) in self.inputs().into_iter().zip(self.derivatives(j)) {
-            sum = &sum + &(input * &derivative).abs();
-        }
-        sum
+    pub fn condition_times_w_squared(&self, j: usize) -> Exact {
+        (self.inputs().into_iter().zip(self.derivatives(j)))
+            .map(|(input, derivative)| (input * derivative).abs())
+            .sum()
     }
 
     /// The eleven inputs: n, d, the light's x, y, z, w, the vertex.
-    fn inputs(&self) -> [&Dyadic; 11] {
+    fn inputs(&self) -> [&Exact; 11] {
         let [a, b, c] = &self.n;
         let [lx, ly, lz] = &self.light;
         let [vx, vy, vz] = &self.v;
@@ -190,22 +182,22 @@ impl ExactShadow {
     }
 
     /// W² ∂P_j/∂xᵢ in the order of the inputs.
-    fn derivatives(&self, j: usize) -> [Dyadic; 11] {
-        let a_j = &self.light[j] - &(&self.light_w * &self.v[j]);
+    fn derivatives(&self, j: usize) -> [Exact; 11] {
+        let a_j = &self.light[j] - &self.light_w * &self.v[j];
         let lever = |k: usize| {
             let product = &a_j * &self.n[k];
-            if j == k { &product - &self.w } else { product }
+            if j == k { product - &self.w } else { product }
         };
-        let levers: [Dyadic; 3] = core::array::from_fn(lever);
-        let by_n = |k: usize| -&(&a_j * &self.numerators[k]);
+        let levers: [Exact; 3] = core::array::from_fn(lever);
+        let by_n = |k: usize| -(&a_j * &self.numerators[k]);
         let by_l = |k: usize| &self.t * &levers[k];
-        let by_v = |k: usize| -&(&self.s * &levers[k]);
-        let by_w = &self.t * &(&(&a_j * &self.d) + &self.numerators[j]);
+        let by_v = |k: usize| -(&self.s * &levers[k]);
+        let by_w = &self.t * (&a_j * &self.d + &self.numerators[j]);
         [
             by_n(0),
             by_n(1),
             by_n(2),
-            -&(&a_j * &self.w),
+            -(&a_j * &self.w),
             by_l(0),
             by_l(1),
             by_l(2),
@@ -219,14 +211,14 @@ impl ExactShadow {
     /// Whether |computed − P_j| ≤ (ε/2) Σᵢ |∂P_j/∂xᵢ · xᵢ| + half the smallest subnormal, without rounding.
     #[must_use]
     pub fn within_condition(&self, computed: f64, j: usize) -> bool {
-        let Some(computed) = Dyadic::new(computed) else {
+        let Some(computed) = Exact::new(computed) else {
             return false;
         };
         // All times W²: |computed·W − N_j| |W| ≤ (ε/2) C_j + (η/2) W².
-        let off = &(&(&computed * &self.w) - &self.numerators[j]) * &self.w;
-        let bound = &self.condition_times_w_squared(j).scaled(HALF_EPSILON)
-            + &(&self.w * &self.w).scaled(HALF_SUBNORMAL);
-        off.abs().compare(&bound) != Ordering::Greater
+        let off = (&computed * &self.w - &self.numerators[j]) * &self.w;
+        let bound = self.condition_times_w_squared(j).scaled(HALF_EPSILON)
+            + self.w.squared().scaled(HALF_SUBNORMAL);
+        off.abs() <= bound
     }
 
     /// Whether |n·P + d| ≤ (ε/2) Σ |n_j P_j| + (half the smallest subnormal) Σ |n_j| for the computed point P.
@@ -235,33 +227,21 @@ impl ExactShadow {
         let Some(p) = exact(computed) else {
             return false;
         };
-        let off = &dot(&self.n, &p) + &self.d;
-        let n_abs: [Dyadic; 3] = core::array::from_fn(|j| self.n[j].abs());
-        let p_abs: [Dyadic; 3] = core::array::from_fn(|j| p[j].abs());
-        let total = &(&n_abs[0] + &n_abs[1]) + &n_abs[2];
-        let bound = &dot(&n_abs, &p_abs).scaled(HALF_EPSILON) + &total.scaled(HALF_SUBNORMAL);
-        off.abs().compare(&bound) != Ordering::Greater
+        let off = dot(&self.n, &p) + &self.d;
+        let n = abs(&self.n);
+        let total: Exact = n.iter().sum();
+        let bound = dot(&n, &abs(&p)).scaled(HALF_EPSILON) + total.scaled(HALF_SUBNORMAL);
+        off.abs() <= bound
     }
-}
-
-/// The exact coordinates of `p`.
-fn exact(p: DVec3) -> Option<[Dyadic; 3]> {
-    Some([Dyadic::new(p.x)?, Dyadic::new(p.y)?, Dyadic::new(p.z)?])
-}
-
-/// a·b.
-fn dot(a: &[Dyadic; 3], b: &[Dyadic; 3]) -> Dyadic {
-    &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Decision, ExactShadow};
     use crate::cases::Random;
-    use crate::dyadic::{Dyadic, nearest_double};
-    use core::cmp::Ordering;
     use ombra_math::glam::{DVec3, DVec4};
     use ombra_math::plane::Plane;
+    use ombra_oracle::Exact;
 
     const POINT_LIGHT: DVec4 = DVec4::new(0.0, 100.0, 100.0, 1.0);
 
@@ -311,31 +291,27 @@ mod tests {
         let mut compared = 0;
         for _ in 0..200 {
             let x: [f64; 11] = core::array::from_fn(|_| random.between(-8.0, 8.0));
-            let build = |x: &[Dyadic; 11]| {
+            let build = |x: &[Exact; 11]| {
                 let three = |i: usize| core::array::from_fn(|k| x[i + k].clone());
                 ExactShadow::from_exact(three(0), x[3].clone(), three(4), x[7].clone(), three(8))
             };
-            let x = x.map(|x| Dyadic::new(x).unwrap());
+            let x = x.map(|x| Exact::new(x).unwrap());
             let shadow = build(&x).unwrap();
             for j in 0..3 {
                 for (i, derivative) in shadow.derivatives(j).into_iter().enumerate() {
-                    let h = Dyadic::power_of_two(-200);
+                    let h = Exact::power_of_two(-200);
                     let mut moved = x.clone();
-                    moved[i] = &moved[i] + &h;
+                    moved[i] += h;
                     let moved = build(&moved).unwrap();
                     // (P(x + h) − P(x)) / h as a fraction: (N′ W − N W′) / (h W W′).
                     let ((n, w), (n1, w1)) = (shadow.fraction(j), moved.fraction(j));
-                    let rise = (&(n1 * w) - &(n * w1)).scaled(200);
+                    let rise = (n1 * w - n * w1).scaled(200);
                     // Minus the derivative D/W², all over W² W′: rise · W − D · W′.
-                    let off = &(&rise * w) - &(&derivative * w1);
+                    let off = rise * w - &derivative * w1;
                     // Second derivatives over the first are below 2⁶⁰ for these inputs unless W nearly vanishes.
-                    let scale = &shadow.condition_times_w_squared(j) * w1;
+                    let scale = shadow.condition_times_w_squared(j) * w1;
                     let bound = scale.abs().scaled(-140);
-                    assert_ne!(
-                        off.abs().compare(&bound),
-                        Ordering::Greater,
-                        "∂P_{j}/∂x_{i}"
-                    );
+                    assert!(off.abs() <= bound, "∂P_{j}/∂x_{i}");
                     compared += usize::from(!derivative.is_zero());
                 }
             }
@@ -358,7 +334,6 @@ mod tests {
         // n: |A_x n_y N_y| = 0; L: x is 0, y: 30·100·|−10| = 30000; w: 30·1000 = 30000;
         // V: x: 100·10·|0 − 70| = 70000, y: 100·30·10 = 30000. In all 160000, over W² = 4900.
         let condition = shadow.condition_times_w_squared(0);
-        let one = Dyadic::new(1.0).unwrap();
-        assert_eq!(nearest_double(&condition, &one), Some(160_000.0));
+        assert_eq!(condition, 160_000);
     }
 }

@@ -1,6 +1,8 @@
 //! Clipping in space against exact numbers: segments in a box and in the view volume, polygons with attributes in the
 //! view volume, over the whole range of exponents, a third of the cases within 10⁻¹² of a degenerate one.
 
+use std::collections::BTreeSet;
+
 use ombra_clip::box3::{self, Box3};
 use ombra_clip::homogeneous::{
     Vertex, ViewPlane, clip_polygon, clip_polygon_to, clip_segment, contains,
@@ -281,4 +283,50 @@ fn segments_in_a_box() {
         left > 3_000 && cut > 3_000 && single > 30,
         "{left} {cut} {single}"
     );
+}
+
+/// Two triangles on either side of an edge, in the view volume: an attribute that is 0 at the edge's ends and 1 at the
+/// third corner is 0 at the vertices on what is left of the edge, and these are the same in both, bit for bit.
+#[test]
+fn no_cracks_along_a_shared_edge() {
+    let mut random = Random::new(313);
+    let mut seams = 0;
+    for _ in 0..20_000 {
+        let whole = random.below(2) == 0;
+        let mut corner = || {
+            let mut p = DVec4::from_array([0; 4].map(|_| random.between(-2.0, 2.0)));
+            if whole {
+                p = p.round();
+            }
+            p.w += 0.5;
+            p
+        };
+        let [p, q, r, s] = [0; 4].map(|_| corner());
+        let seam = |triangle: [(DVec4, f64); 3]| -> Option<BTreeSet<[u64; 4]>> {
+            let triangle = triangle.map(|(position, off)| Vertex {
+                position,
+                attributes: [off],
+            });
+            let inside = clip_polygon(&triangle);
+            assert!(
+                inside
+                    .iter()
+                    .all(|v| contains(v.position) && v.position.w > 0.0),
+                "{triangle:?}"
+            );
+            let on_edge = inside.iter().filter(|v| v.attributes == [0.0]);
+            (!inside.is_empty()).then(|| {
+                on_edge
+                    .map(|v| v.position.to_array().map(f64::to_bits))
+                    .collect()
+            })
+        };
+        let one = seam([(p, 0.0), (q, 0.0), (r, 1.0)]);
+        let other = seam([(q, 0.0), (p, 0.0), (s, 1.0)]);
+        if let (Some(one), Some(other)) = (one, other) {
+            assert_eq!(one, other, "{p} {q} {r} {s}");
+            seams += usize::from(one.len() == 2);
+        }
+    }
+    assert!(seams > 1000, "{seams}");
 }

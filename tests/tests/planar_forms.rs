@@ -4,12 +4,12 @@
 
 use ombra_math::glam::{DVec3, DVec4, dvec3, dvec4};
 use ombra_math::plane::Plane;
+use ombra_oracle::Exact;
 use ombra_shadows::planar::{
     Placement, cast, classify, ground_matrix_directional, ground_matrix_point, shadow_matrix,
     textbook,
 };
 use ombra_tests::cases::{Random, case};
-use ombra_tests::dyadic::Dyadic;
 use ombra_tests::shadow::{Decision, ExactShadow};
 
 fn by_quotient(plane: Plane, light: DVec4, v: DVec3) -> Option<DVec3> {
@@ -84,17 +84,17 @@ fn matrix_entries_over_the_whole_range() {
             light = -light;
         }
         let product =
-            |i: usize, j: usize| &Dyadic::new(light[i]).unwrap() * &Dyadic::new(pi[j]).unwrap();
-        let s = (0..4).fold(Dyadic::zero(), |sum, k| &sum + &product(k, k));
+            |i: usize, j: usize| Exact::new(light[i]).unwrap() * Exact::new(pi[j]).unwrap();
+        let s: Exact = (0..4).map(|k| product(k, k)).sum();
         let turned = s.sign().is_lt();
         let entry = |i: usize, j: usize| {
             // The diagonal without L_j π_j, which cancels.
             let entry = if i == j {
-                &s - &product(i, i)
+                &s - product(i, i)
             } else {
-                -&product(i, j)
+                -product(i, j)
             };
-            if turned { -&entry } else { entry }
+            if turned { -entry } else { entry }
         };
         let size = |i: usize, j: usize| {
             if i != j {
@@ -102,7 +102,8 @@ fn matrix_entries_over_the_whole_range() {
             }
             (0..4)
                 .filter(|&k| k != i)
-                .fold(Dyadic::zero(), |sum, k| &sum + &product(k, k).abs())
+                .map(|k| product(k, k).abs())
+                .sum()
         };
         // The power of two, read off the largest entry.
         let all: Vec<(usize, usize)> = (0..16).map(|k| (k / 4, k % 4)).collect();
@@ -115,14 +116,11 @@ fn matrix_entries_over_the_whole_range() {
         let shift = power_between(&entry(i, j), m.col(j)[i]);
         scaled += usize::from(shift != 0);
         for &(i, j) in &all {
-            let computed = Dyadic::new(m.col(j)[i]).unwrap();
-            let off = (&computed - &entry(i, j).scaled(shift)).abs();
+            let computed = Exact::new(m.col(j)[i]).unwrap();
+            let off = (computed - entry(i, j).scaled(shift)).abs();
             // Three products and two sums, or one product; and the subnormals' last place, once each.
-            let bound = &size(i, j).scaled(shift - 51) + &Dyadic::power_of_two(-1072);
-            assert!(
-                off.compare(&bound).is_le(),
-                "({i}, {j}), 2^{shift}: {case:?}\n{m}"
-            );
+            let bound = size(i, j).scaled(shift - 51) + Exact::power_of_two(-1072);
+            assert!(off <= bound, "({i}, {j}), 2^{shift}: {case:?}\n{m}");
         }
         // Scaled only where a product overflows or underflows.
         let leaves = |i: usize, j: usize| {
@@ -147,16 +145,16 @@ fn matrix_entries_over_the_whole_range() {
 }
 
 /// The k for which `computed` is about `exact` · 2^k.
-fn power_between(exact: &Dyadic, computed: f64) -> i64 {
-    let computed = Dyadic::new(computed).unwrap().abs();
+fn power_between(exact: &Exact, computed: f64) -> i64 {
+    let computed = Exact::new(computed).unwrap().abs();
     let exact = exact.abs();
     // Bisection over 2^k: the last k with exact · 2^k < computed · √2, for which 3/2 will do.
     let above = computed.scaled(-1);
-    let limit = &computed + &above;
+    let limit = computed + above;
     let (mut low, mut high) = (-10_000, 10_000);
     while high - low > 1 {
         let middle = (low + high) / 2;
-        if exact.scaled(middle).compare(&limit).is_lt() {
+        if exact.scaled(middle) < limit {
             low = middle;
         } else {
             high = middle;

@@ -2,9 +2,9 @@
 
 use ombra_math::glam::{DVec3, DVec4, dvec3, dvec4};
 use ombra_math::plane::Plane;
+use ombra_oracle::Exact;
 use ombra_shadows::fake::ellipse;
 use ombra_shadows::planar::{cast, cast_onto, cast_polygon, cast_polygon_each};
-use ombra_tests::dyadic::power_of_two;
 
 const MAX: f64 = f64::MAX;
 
@@ -208,7 +208,7 @@ fn receivers_of_every_size() {
     let expected = at_size(1.0);
     assert_eq!(expected.len(), 6);
     for k in (-1000..=1000).step_by(20) {
-        let size = power_of_two(k);
+        let size = Exact::power_of_two(k).nearest();
         let found = at_size(size);
         assert_eq!(found.len(), expected.len(), "2^{k}");
         for (p, expected) in found.iter().zip(&expected) {

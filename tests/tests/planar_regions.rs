@@ -6,10 +6,11 @@ use std::cmp::Ordering;
 
 use ombra_math::glam::{DVec3, DVec4, dvec3, dvec4};
 use ombra_math::plane::Plane;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{dot, exact};
 use ombra_shadows::planar::{cast, cast_onto, cast_polygon};
 use ombra_tests::cases::Random;
-use ombra_tests::dyadic::{Dyadic, power_of_two};
-use ombra_tests::region::{Location, Point, blocked, combine, edge_on, exact, locate};
+use ombra_tests::region::{Location, Point, blocked, combine, edge_on, locate};
 use ombra_tests::shadow::{Decision, ExactShadow};
 
 /// A convex caster, a plane and a light.
@@ -150,13 +151,12 @@ fn flaw(
     None
 }
 
-fn shadow_of(plane: Plane, light: DVec4, v: [Dyadic; 3]) -> Option<ExactShadow> {
-    let three = |v: DVec3| v.to_array().map(|x| Dyadic::new(x).unwrap());
+fn shadow_of(plane: Plane, light: DVec4, v: [Exact; 3]) -> Option<ExactShadow> {
     ExactShadow::from_exact(
-        three(plane.normal),
-        Dyadic::new(plane.d)?,
-        three(light.truncate()),
-        Dyadic::new(light.w)?,
+        exact(plane.normal)?,
+        Exact::new(plane.d)?,
+        exact(light.truncate())?,
+        Exact::new(light.w)?,
         v,
     )
 }
@@ -256,14 +256,14 @@ fn shadows_begin_where_casters_enter_the_plane() {
             }
             entered += 1;
             let larger = a.abs().max(b.abs()).max_element();
-            let bound = Dyadic::new(4.0 * f64::EPSILON * larger).unwrap();
+            let bound = Exact::new(4.0 * f64::EPSILON * larger).unwrap();
             let across = &at_a - &at_b;
             // C = (t_a b − t_b a) / (t_a − t_b), compared without the division.
             let is_there = |p: &DVec4| {
                 (0..3).all(|k| {
-                    let [a, b, p] = [a[k], b[k], p[k]].map(|x| Dyadic::new(x).unwrap());
-                    let off = &(&p * &across) - &(&(&at_a * &b) - &(&at_b * &a));
-                    off.abs().compare(&(&bound * &across.abs())).is_le()
+                    let [a, b, p] = exact([a[k], b[k], p[k]]).unwrap();
+                    let off = p * &across - (&at_a * b - &at_b * a);
+                    off.abs() <= &bound * across.abs()
                 })
             };
             assert!(
@@ -276,11 +276,9 @@ fn shadows_begin_where_casters_enter_the_plane() {
 }
 
 /// t = n·V + d without rounding.
-fn height_above(plane: Plane, v: DVec3) -> Dyadic {
-    let (pi, v) = (plane.coefficients().to_array(), v.extend(1.0).to_array());
-    pi.iter().zip(v).fold(Dyadic::zero(), |sum, (&a, b)| {
-        &sum + &(&Dyadic::new(a).unwrap() * &Dyadic::new(b).unwrap())
-    })
+fn height_above(plane: Plane, v: DVec3) -> Exact {
+    let [pi, v] = [plane.coefficients(), v.extend(1.0)].map(|v| exact(v).unwrap());
+    dot(&pi, &v)
 }
 
 /// What falls on a receiver is what is inside it and blocked: sampled inside and around it.
@@ -343,7 +341,8 @@ fn receiving(random: &mut Random) -> (DVec4, Vec<DVec3>, Vec<DVec3>) {
     let size = caster.iter().fold(0.0_f64, |size, v| {
         size.max((*v - caster[0]).abs().max_element())
     });
-    let scale = power_of_two(i64::from((size.to_bits() >> 52) as i32 - 1023)) / 16.0;
+    let scale =
+        Exact::power_of_two(i64::from((size.to_bits() >> 52) as i32 - 1023)).nearest() / 16.0;
     let from = caster.iter().sum::<DVec3>() / caster.len() as f64;
     let away = if light.w == 0.0 {
         -light.truncate()

@@ -8,13 +8,13 @@ use ombra_clip::{
     Segment, Window, cohen_sutherland, cyrus_beck, direct, liang_barsky, pieces, sutherland_hodgman,
 };
 use ombra_math::glam::{DVec2, IVec2};
+use ombra_oracle::Exact;
 use ombra_raster::bresenham::Choice::{E, NE};
 use ombra_raster::polygon::FillRule;
 use ombra_raster::span::Span;
 use ombra_raster::{analytic, bresenham, dda, polygon, rectangle, triangle};
 use ombra_tests::cases::Random;
 use ombra_tests::clipping::{doubled_area, of_segment};
-use ombra_tests::dyadic::Dyadic;
 use ombra_tests::pixel;
 
 /// Every function that draws a segment, by name.
@@ -184,8 +184,7 @@ fn the_lectures_clipping() {
     let square = [(5.0, 5.0), (10.0, 5.0), (10.0, 10.0), (5.0, 10.0)].map(DVec2::from);
     assert_eq!(sutherland_hodgman::clip_polygon(&window, &triangle), square);
     assert_eq!(pieces::clip_polygon(&window, &triangle).len(), 1);
-    let fifty = Dyadic::new(50.0).unwrap();
-    assert!(doubled_area(&square).unwrap().compare(&fifty).is_eq());
+    assert_eq!(doubled_area(&square).unwrap(), 50);
 }
 
 /// A window and a segment: of one scale anywhere in the range, of all scales at once, or on small whole numbers; half
@@ -264,14 +263,9 @@ fn outline_and_pieces_have_one_area() {
             .collect();
         let outline = sutherland_hodgman::clip_polygon(&tenth(), &polygon);
         let parts = pieces::clip_polygon(&tenth(), &polygon);
-        let sum = parts.iter().fold(Dyadic::zero(), |sum, part| {
-            &sum + &doubled_area(part).unwrap()
-        });
+        let sum: Exact = parts.iter().map(|part| doubled_area(part).unwrap()).sum();
         let area = doubled_area(&outline).unwrap();
-        assert!(
-            sum.compare(&area).is_eq(),
-            "{polygon:?}\n{outline:?}\n{parts:?}"
-        );
+        assert_eq!(sum, area, "{polygon:?}\n{outline:?}\n{parts:?}");
         several += usize::from(parts.len() > 1);
         left += usize::from(!parts.is_empty());
     }

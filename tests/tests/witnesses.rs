@@ -9,11 +9,11 @@ use ombra_clip::{
     Segment, Window, cohen_sutherland, cyrus_beck, direct, liang_barsky, pieces, sutherland_hodgman,
 };
 use ombra_math::glam::{DVec2, IVec2};
+use ombra_oracle::Exact;
 use ombra_raster::bresenham;
 use ombra_raster::polygon::{FillRule, fill};
 use ombra_tests::cases::Random;
 use ombra_tests::clipping::{doubled_area, of_segment};
-use ombra_tests::dyadic::{Dyadic, nearest_double};
 use ombra_tests::pixel;
 
 fn within(random: &mut Random, limit: i32) -> IVec2 {
@@ -268,23 +268,15 @@ fn overlay(
 
 /// The area of shapes with holes, each contour turning as it must, summed without rounding.
 fn area(shapes: &[Vec<Contour>]) -> f64 {
-    let sum = shapes
-        .iter()
-        .flatten()
-        .fold(Dyadic::zero(), |sum, contour| {
-            let points: Vec<DVec2> = contour.iter().copied().map(DVec2::from).collect();
-            &sum + &doubled_area(&points).unwrap()
-        });
-    nearest_double(&sum, &Dyadic::new(2.0).unwrap())
-        .unwrap()
-        .abs()
+    let contours: Vec<Vec<DVec2>> = (shapes.iter().flatten())
+        .map(|contour| contour.iter().copied().map(DVec2::from).collect())
+        .collect();
+    signed_area(&contours).abs()
 }
 
 fn signed_area(polygons: &[Vec<DVec2>]) -> f64 {
-    let sum = polygons
-        .iter()
-        .fold(Dyadic::zero(), |sum, p| &sum + &doubled_area(p).unwrap());
-    nearest_double(&sum, &Dyadic::new(2.0).unwrap()).unwrap()
+    let doubled: Exact = polygons.iter().map(|p| doubled_area(p).unwrap()).sum();
+    doubled.scaled(-1).nearest()
 }
 
 /// By how much two areas may differ: i_overlay puts vertices, given and new, on a grid of 2⁻⁶⁰ of the extent, and hands

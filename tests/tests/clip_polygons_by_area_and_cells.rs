@@ -1,49 +1,28 @@
-//! Clipped polygons and attributes a second time, from the documentation alone.
-//!
-//! Areas come from an integral of the boundary, its x clamped to the window, which knows of no clipping; the pieces of
-//! outlines along a grid, from flooding its cells; cracks between clipped triangles are found by an attribute that is 0 on
-//! the shared edge alone. All in fractions.
+//! Clipped polygons: their areas, from an integral of the boundary, its x clamped to the window, which knows of no clipping;
+//! the pieces of outlines along a grid, from flooding its cells.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use ombra_clip::homogeneous::{Vertex, clip_polygon, contains};
 use ombra_clip::{Window, pieces, sutherland_hodgman};
-use ombra_math::glam::{DVec2, DVec4};
-use ombra_raster::attributes::{linear, perspective, weights};
-use ombra_raster::triangle::snap;
+use ombra_math::glam::DVec2;
+use ombra_oracle::Exact;
 use ombra_tests::cases::Random;
+use ombra_tests::clipping::{doubled_area, edges};
 
-fn exact(x: f64) -> BigRational {
-    BigRational::from_float(x).unwrap()
-}
-
-fn zero() -> BigRational {
-    exact(0.0)
-}
-
-fn size(x: BigRational) -> BigRational {
-    if x < zero() { -x } else { x }
-}
-
-fn edges(polygon: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
-    polygon
-        .iter()
-        .copied()
-        .zip(polygon.iter().copied().cycle().skip(1))
+fn exact(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
 /// Each point of the window counted as often as the polygon runs round it: the sum over the edges, from bottom to top of
 /// the window, of ∫ (x(y) clamped to the window − x_min) dy.
-fn wound_area(window: &Window, polygon: &[DVec2]) -> BigRational {
+fn wound_area(window: &Window, polygon: &[DVec2]) -> Exact {
     let [left, right, low, high] =
         [window.min.x, window.max.x, window.min.y, window.max.y].map(exact);
-    let mut sum = zero();
+    let mut sum = Exact::ZERO;
     for (a, b) in edges(polygon).filter(|(a, b)| a.y != b.y) {
         let [ax, ay, bx, by] = [a.x, a.y, b.x, b.y].map(exact);
-        let x = |y: &BigRational| &ax + (&bx - &ax) * (y - &ay) / (&by - &ay);
+        let x = |y: &Exact| &ax + ((&bx - &ax) * (y - &ay)).over(&(&by - &ay)).unwrap();
         let mut heights = vec![
             ay.clone().clamp(low.clone(), high.clone()),
             by.clone().clamp(low.clone(), high.clone()),
@@ -54,7 +33,7 @@ fn wound_area(window: &Window, polygon: &[DVec2]) -> BigRational {
         );
         if ax != bx {
             for side in [&left, &right] {
-                let y = &ay + (side - &ax) * (&by - &ay) / (&bx - &ax);
+                let y = &ay + ((side - &ax) * (&by - &ay)).over(&(&bx - &ax)).unwrap();
                 if bottom < y && y < top {
                     heights.push(y);
                 }
@@ -63,7 +42,7 @@ fn wound_area(window: &Window, polygon: &[DVec2]) -> BigRational {
         heights.sort();
         for (from, to) in heights.iter().zip(heights.iter().skip(1)) {
             // Linear between these heights, or constant: the middle is the mean.
-            let middle = x(&((from + to) * exact(0.5))).clamp(left.clone(), right.clone());
+            let middle = x(&(from + to).scaled(-1)).clamp(left.clone(), right.clone());
             let strip = (middle - &left) * (to - from);
             if b.y > a.y {
                 sum += strip
@@ -75,11 +54,8 @@ fn wound_area(window: &Window, polygon: &[DVec2]) -> BigRational {
     sum
 }
 
-fn area(polygon: &[DVec2]) -> BigRational {
-    let doubled = edges(polygon).fold(zero(), |sum, (a, b)| {
-        sum + exact(a.x) * exact(b.y) - exact(a.y) * exact(b.x)
-    });
-    doubled * exact(0.5)
+fn area(polygon: &[DVec2]) -> Exact {
+    doubled_area(polygon).unwrap().scaled(-1)
 }
 
 /// Any closed chain, crossing itself or not, on the window's grid, next to it or anywhere near: outline and pieces have
@@ -115,9 +91,9 @@ fn areas_by_the_clamped_boundary() {
         let outline = sutherland_hodgman::clip_polygon(window, &polygon);
         let parts = pieces::clip_polygon(window, &polygon);
         several += usize::from(parts.len() > 1);
-        let together = parts.iter().fold(zero(), |sum, part| sum + area(part));
+        let together = parts.iter().map(|part| area(part)).sum();
         for found in [area(&outline), together] {
-            assert!(size(found - &expected) <= bound, "{window:?} {polygon:?}");
+            assert!((found - &expected).abs() <= bound, "{window:?} {polygon:?}");
         }
     }
     assert!(several > 200, "{several}");
@@ -283,144 +259,4 @@ fn pieces_by_flooding_cells() {
         most = most.max(parts.len());
     }
     assert!(several > 200 && most > 4, "{several} {most}");
-}
-
-/// Two triangles on either side of an edge, in the view volume: an attribute that is 0 at the edge's ends and 1 at the
-/// third corner is 0 at the vertices on what is left of the edge, and these are the same in both, bit for bit.
-#[test]
-fn no_cracks_along_a_shared_edge() {
-    let mut random = Random::new(313);
-    let mut seams = 0;
-    for _ in 0..20_000 {
-        let whole = random.below(2) == 0;
-        let mut corner = || {
-            let mut p = DVec4::from_array([0; 4].map(|_| random.between(-2.0, 2.0)));
-            if whole {
-                p = p.round();
-            }
-            p.w += 0.5;
-            p
-        };
-        let [p, q, r, s] = [0; 4].map(|_| corner());
-        let seam = |triangle: [(DVec4, f64); 3]| -> Option<BTreeSet<[u64; 4]>> {
-            let triangle = triangle.map(|(position, off)| Vertex {
-                position,
-                attributes: [off],
-            });
-            let inside = clip_polygon(&triangle);
-            assert!(
-                inside
-                    .iter()
-                    .all(|v| contains(v.position) && v.position.w > 0.0),
-                "{triangle:?}"
-            );
-            let on_edge = inside.iter().filter(|v| v.attributes == [0.0]);
-            (!inside.is_empty()).then(|| {
-                on_edge
-                    .map(|v| v.position.to_array().map(f64::to_bits))
-                    .collect()
-            })
-        };
-        let one = seam([(p, 0.0), (q, 0.0), (r, 1.0)]);
-        let other = seam([(q, 0.0), (p, 0.0), (s, 1.0)]);
-        if let (Some(one), Some(other)) = (one, other) {
-            assert_eq!(one, other, "{p} {q} {r} {s}");
-            seams += usize::from(one.len() == 2);
-        }
-    }
-    assert!(seams > 1000, "{seams}");
-}
-
-/// Weights, slivers among them: their signs and the bounds that are stated, 64ε of each; 67ε of Σ|λa| for the linear
-/// attribute; 140ε of the largest |a| for the one in perspective.
-#[test]
-fn stated_errors_of_attributes() {
-    let mut random = Random::new(314);
-    let epsilon = |k: f64| exact(k * f64::EPSILON);
-    let mut slivers = 0;
-    for case in 0..3000 {
-        let mut place = || DVec2::new(random.between(0.0, 20.0), random.between(0.0, 20.0));
-        let [a, b, mut c] = [place(), place(), place()];
-        if case % 3 == 0 {
-            c = a + (b - a) * random.between(0.0, 1.0);
-        }
-        let share = random.between(0.0, 1.0);
-        let p = match case % 4 {
-            0 => a + (b - a) * share,
-            1 => (a + b + c) / 3.0,
-            _ => DVec2::new(
-                f64::from(random.below(20)) + 0.5,
-                f64::from(random.below(20)) + 0.5,
-            ),
-        };
-        let doubled = |a: DVec2, b: DVec2, p: DVec2| {
-            let [ax, ay, bx, by, px, py] = [a.x, a.y, b.x, b.y, p.x, p.y].map(exact);
-            (bx - &ax) * (py - &ay) - (by - ay) * (px - ax)
-        };
-        let whole = doubled(a, b, c);
-        let Some(found) = weights([a, b, c], p) else {
-            assert_eq!(whole, zero(), "{a} {b} {c}");
-            continue;
-        };
-        slivers += usize::from(size(whole.clone()) < exact(1e-12));
-        let λ = [doubled(b, c, p), doubled(c, a, p), doubled(a, b, p)].map(|e| e / &whole);
-        for (found, λ) in found.to_array().into_iter().zip(&λ) {
-            assert!(
-                size(exact(found) - λ) <= epsilon(64.0) * size(λ.clone()),
-                "{a} {b} {c} {p}"
-            );
-        }
-        let values = [0; 3].map(|_| random.exponential(-20, 20));
-        let w = [0; 3].map(|_| random.exponential(-40, 40).abs());
-        let terms: Vec<BigRational> = λ.iter().zip(values).map(|(λ, a)| λ * exact(a)).collect();
-        let scale = terms
-            .iter()
-            .cloned()
-            .fold(zero(), |sum, term| sum + size(term));
-        let sum = terms.iter().fold(zero(), |sum, term| sum + term);
-        assert!(
-            size(exact(linear(found, values)) - sum) <= epsilon(67.0) * scale,
-            "{a} {b} {c} {p}"
-        );
-        if λ.iter().all(|λ| *λ >= zero()) {
-            let over_w = |terms: &[BigRational]| {
-                terms
-                    .iter()
-                    .zip(w)
-                    .fold(zero(), |sum, (term, w)| sum + term / exact(w))
-            };
-            let off =
-                size(exact(perspective(found, values, w).unwrap()) - over_w(&terms) / over_w(&λ));
-            let largest = values.into_iter().fold(0.0, |m: f64, a| m.max(a.abs()));
-            assert!(
-                off <= epsilon(140.0) * exact(largest),
-                "{a} {b} {c} {p} {w:?}"
-            );
-        }
-    }
-    assert!(slivers > 300, "{slivers}");
-}
-
-/// ⌊x 2ᵇ + ½⌋ / 2ᵇ in fractions, where adding the ½ in doubles would round: just below a half, and from 2⁵² on.
-#[test]
-fn snapped_vertices() {
-    let mut random = Random::new(315);
-    for case in 0..4000 {
-        let bits = [0, 1, 4, 8, 31, 52, 53, 64, 200][case % 9];
-        let step = BigRational::new(BigInt::from(1), BigInt::from(1) << bits);
-        let half = (f64::from(random.below(41)) - 20.0) * 0.5;
-        let x = match case % 5 {
-            0 => 0.5_f64.next_down(),
-            1 => half * random.power_of_two(-60, 0),
-            2 => (half * random.power_of_two(-8, 0)).next_up(),
-            3 => random.exponential(50, 54).round(),
-            _ => random.exponential(-220, 70),
-        };
-        let expected = (exact(x) / &step + exact(0.5)).floor() * &step;
-        assert_eq!(
-            exact(snap(DVec2::new(x, 0.0), bits).x),
-            expected,
-            "{x:e}, {bits} bits"
-        );
-    }
 }

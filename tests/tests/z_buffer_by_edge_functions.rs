@@ -1,4 +1,4 @@
-//! The z-buffer read a second time: its pictures, depths and counts against a loop of its own over whole-number edge
+//! The z-buffer: its pictures, depths and counts against a loop of its own over whole-number edge
 //! functions, and coverage around an eye that a solid encloses.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
