@@ -1,9 +1,7 @@
-//! What the studies of clipping are put to: a window, and points without rounding.
+//! What the studies of clipping are put to: a window.
 
 use ombra_clip::Window;
 use ombra_math::glam::DVec2;
-
-use crate::exact::Exact;
 
 /// Of no round size, so that nothing is exact by chance.
 pub const WINDOW: Window = Window {
@@ -19,9 +17,4 @@ pub fn middle() -> DVec2 {
 /// The longer of the window's sides.
 pub fn size() -> f64 {
     (WINDOW.max - WINDOW.min).max_element()
-}
-
-/// The coordinates of `p`; `None` unless both are finite.
-pub fn exact(p: DVec2) -> Option<[Exact; 2]> {
-    Some([Exact::of(p.x)?, Exact::of(p.y)?])
 }

@@ -2,7 +2,7 @@
 //!
 //! A [study](study::Study) puts [questions](study::Question) to techniques. A run takes each case's time in interleaved
 //! rounds, counts its work exactly, and compares its answers with a ground truth that owes nothing to it
-//! ([`run::run`]); the [report](report::Report) is a table, charts with the Pareto front, and a sentence of advice
+//! and rounds nothing ([`ombra_oracle`]; [`run::run`]); the [report](report::Report) is a table, charts with the Pareto front, and a sentence of advice
 //! made from the numbers.
 //!
 //! | module | what it is |
@@ -13,7 +13,7 @@
 //! | [`advice`] | which technique to take where |
 //! | [`pareto`] | the choices that nothing beats |
 //! | [`deviation`], [`statistics`] | largest and RMS error; medians and quartiles |
-//! | [`exact`], [`random`] | ground truth without rounding; inputs that repeat |
+//! | [`random`] | inputs that repeat |
 //! | [`line_precision`] | study: the pixels of a segment |
 //! | [`triangle_subpixel`] | study: triangles that share edges, snapped |
 //! | [`clip_segment`] | study: a segment against a window |
@@ -89,7 +89,6 @@ pub mod culling;
 pub mod depth_format;
 pub mod deviation;
 pub mod error;
-pub mod exact;
 mod hidden;
 pub mod line_precision;
 pub mod pareto;

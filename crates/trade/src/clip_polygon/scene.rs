@@ -4,10 +4,11 @@ use core::f64::consts::TAU;
 
 use ombra_clip::Window;
 use ombra_math::glam::{DVec2, Vec2};
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{doubled_area, exact};
 
-use crate::clipping::{WINDOW, exact, middle, size};
+use crate::clipping::{WINDOW, middle, size};
 use crate::deviation::{Deviation, Verdict};
-use crate::exact::Exact;
 use crate::random::Random;
 
 /// Where quotients are cut off.
@@ -141,8 +142,8 @@ impl Scene {
     /// The errors of areas, of several outlines a polygon.
     pub fn verdict_of_pieces(&self, pieces: &[Vec<Vec<DVec2>>]) -> Verdict {
         let areas = pieces.iter().map(|pieces| {
-            let mut areas = pieces.iter().map(|piece| area(piece));
-            areas.try_fold(Exact::zero(), |sum, area| Some(&sum + &area?))
+            let areas: Option<Vec<Exact>> = pieces.iter().map(|piece| area(piece)).collect();
+            Some(areas?.iter().sum())
         });
         let outside = |p: &&DVec2| !WINDOW.contains(**p);
         verdict(
@@ -156,7 +157,7 @@ impl Scene {
         let answers = areas.chain(core::iter::repeat(None));
         Deviation::of(self.areas.iter().zip(answers).map(|(truth, answer)| {
             let truth = truth.as_ref()?;
-            Some((&answer? - truth).abs().ratio(truth))
+            Some((answer? - truth).abs().ratio(truth))
         }))
     }
 }
@@ -170,15 +171,8 @@ fn verdict(deviation: Deviation, outside: usize) -> Verdict {
 
 /// The area of a polygon, counter-clockwise positive.
 fn area(polygon: &[DVec2]) -> Option<Exact> {
-    let next = polygon.iter().skip(1).chain(polygon.first());
-    let twice = polygon
-        .iter()
-        .zip(next)
-        .try_fold(Exact::zero(), |sum, (a, b)| {
-            let ([ax, ay], [bx, by]) = (exact(*a)?, exact(*b)?);
-            Some(&sum + &(&(&ax * &by) - &(&bx * &ay)))
-        })?;
-    Some(&twice * &Exact::of(0.5)?)
+    let polygon: Option<Vec<_>> = polygon.iter().map(|&p| exact(p)).collect();
+    Some(doubled_area(&polygon?).scaled(-1))
 }
 
 /// The area that a polygon has in a window: below each edge, counted backwards.
@@ -187,16 +181,13 @@ fn area_inside(window: &Window, polygon: &[DVec2]) -> Option<Exact> {
     polygon
         .iter()
         .zip(next)
-        .try_fold(Exact::zero(), |sum, (a, b)| {
+        .map(|(a, b)| {
             let forwards = a.x <= b.x;
             let (left, right) = if forwards { (a, b) } else { (b, a) };
             let below = area_below(window, *left, *right)?;
-            Some(if forwards {
-                &sum - &below
-            } else {
-                &sum + &below
-            })
+            Some(if forwards { -below } else { below })
         })
+        .try_fold(Exact::ZERO, |sum, area| Some(sum + area?))
 }
 
 /// ∫ (clamp(y, y_min, y_max) − y_min) dx along an edge from left to right, as far as it is in [x_min, x_max].
@@ -205,30 +196,29 @@ fn area_below(window: &Window, left: DVec2, right: DVec2) -> Option<Exact> {
     let ([low_x, low], [high_x, high]) = (exact(window.min)?, exact(window.max)?);
     let (from, to) = (x0.clone().max(low_x), x1.clone().min(high_x));
     if from >= to {
-        return Some(Exact::zero());
+        return Some(Exact::ZERO);
     }
-    let (dx, dy) = (&x1 - &x0, &y1 - &y0);
-    let height = &high - &low;
-    if dy == Exact::zero() {
-        let above = (&y0 - &low).max(Exact::zero()).min(height);
-        return Some(&above * &(&to - &from));
+    let (dx, dy) = (x1 - &x0, y1 - &y0);
+    let height = high - &low;
+    if dy.is_zero() {
+        let above = (y0 - low).max(Exact::ZERO).min(height);
+        return Some(above * (to - from));
     }
     // Heights times dx, so that those at `from` and `to` are whole.
-    let above_low = |x: &Exact| &(&(&y0 - &low) * &dx) + &(&dy * &(x - &x0));
-    let height = &height * &dx;
+    let above_low = |x: &Exact| (&y0 - &low) * &dx + &dy * (x - &x0);
+    let height = height * &dx;
     // Twice the integral of the clamped height over the height: 0, h², then a slope of twice the greatest.
     let twice = |h: Exact| {
-        if h <= Exact::zero() {
-            Exact::zero()
+        if h <= 0 {
+            Exact::ZERO
         } else if h <= height {
-            &h * &h
+            h.squared()
         } else {
-            &height * &(&(&h + &h) - &height)
+            &height * (h.scaled(1) - &height)
         }
     };
-    let difference = &twice(above_low(&to)) - &twice(above_low(&from));
-    let over = &dx * &(&dy + &dy);
-    difference.quotient(&over, BITS)
+    let difference = twice(above_low(&to)) - twice(above_low(&from));
+    Some(difference.over(&(dx * dy.scaled(1)))?.truncated(BITS))
 }
 
 #[cfg(test)]
@@ -246,7 +236,7 @@ mod tests {
         let window = Window::new(DVec2::ZERO, DVec2::splat(10.0)).unwrap();
         let inside = |polygon: &[(f64, f64)]| {
             let polygon = points(polygon);
-            area_inside(&window, &polygon).unwrap().ratio(&Exact::one())
+            area_inside(&window, &polygon).unwrap().nearest()
         };
         // A square half in, around, inside; turned round; beside.
         assert_eq!(
@@ -335,7 +325,7 @@ mod tests {
                     assert_eq!(polygon.len(), vertices);
                     assert!(is_simple(polygon));
                     let (whole, inside) = (area(polygon).unwrap(), inside.clone().unwrap());
-                    assert!(Exact::one() < inside && inside < whole);
+                    assert!(inside > 1 && inside < whole);
                     assert!(polygon.iter().any(|&p| !WINDOW.contains(p)));
                 }
             }

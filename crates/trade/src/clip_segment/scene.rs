@@ -1,13 +1,13 @@
 //! Segments around a window, and what is exactly left of them.
 
-use core::cmp::Ordering;
-
 use ombra_clip::{Segment, Window};
 use ombra_math::glam::DVec2;
+use ombra_oracle::Exact;
+use ombra_oracle::interval::{between, not_negative};
+use ombra_oracle::vector::{exact, minus};
 
-use crate::clipping::{WINDOW, exact, middle, size};
+use crate::clipping::{WINDOW, middle, size};
 use crate::deviation::Deviation;
-use crate::exact::Exact;
 use crate::random::Random;
 
 /// What a technique leaves of each segment.
@@ -21,9 +21,9 @@ pub struct Scene {
     truths: Vec<Option<ExactSegment>>,
 }
 
-/// A* and B*: numerators, and the positive number that they are divided by.
+/// A* and B*.
 struct ExactSegment {
-    ends: [([Exact; 2], Exact); 2],
+    ends: [[Exact; 2]; 2],
 }
 
 impl Scene {
@@ -93,7 +93,7 @@ impl Scene {
 
     /// The errors of answers, in window sizes.
     pub fn deviation(&self, clipped: &Clipped) -> Deviation {
-        let size = Exact::of(size());
+        let size = Exact::new(size());
         let answers = clipped.iter().map(Some).chain(core::iter::repeat(None));
         Deviation::of(self.truths.iter().zip(answers).map(|(truth, answer)| {
             match (truth, *answer?) {
@@ -109,42 +109,21 @@ impl ExactSegment {
     /// What is left of `segment`: the parameters that all four inequalities allow.
     fn of(window: &Window, segment: Segment) -> Option<Self> {
         let [a, b] = [exact(segment.a)?, exact(segment.b)?];
-        let ([low, high], [ax, ay]) = ([exact(window.min)?, exact(window.max)?], &a);
-        let d = [&b[0] - ax, &b[1] - ay];
-        // From t = first to t = last, as numerators over positive denominators.
-        let mut first = (Exact::zero(), Exact::one());
-        let mut last = (Exact::one(), Exact::one());
-        let later = |s: &(Exact, Exact), t: &(Exact, Exact)| &s.0 * &t.1 > &t.0 * &s.1;
-        for axis in [0, 1] {
-            let (a, d) = (a.get(axis)?, d.get(axis)?);
-            // a + t d ≥ low, and −a − t d ≥ −high.
-            let limits = [(low.get(axis)? - a, d.clone()), (a - high.get(axis)?, -d)];
-            for (q, p) in limits {
-                match p.sign() {
-                    Ordering::Greater if later(&(q.clone(), p.clone()), &first) => first = (q, p),
-                    Ordering::Less if later(&last, &(-&q, -&p)) => last = (-&q, -&p),
-                    // a itself must be inside.
-                    Ordering::Equal if q.sign() == Ordering::Greater => return None,
-                    _ => {}
-                }
-            }
-        }
-        let at = |(n, over): (Exact, Exact)| {
-            let [x, y] = [(&a[0], &d[0]), (&a[1], &d[1])].map(|(a, d)| &(a * &over) + &(d * &n));
-            ([x, y], over)
-        };
-        (!later(&first, &last)).then(|| Self {
-            ends: [at(first), at(last)],
+        let [low, high] = [exact(window.min)?, exact(window.max)?];
+        let inside = |p| minus(p, &low).into_iter().chain(minus(&high, p));
+        let sides: Vec<_> = inside(&a).zip(inside(&b)).map(Into::into).collect();
+        let at = |t: Exact| [0, 1].map(|k| between(&t, &a[k], &b[k]));
+        Some(Self {
+            ends: not_negative(&sides)?.map(at),
         })
     }
 
     /// How far the farther end of an answer lies from where it should, over `size`.
     fn distance(&self, answer: Segment, size: &Exact) -> Option<f64> {
         let mut worst = 0.0_f64;
-        for ((truth, over), p) in self.ends.iter().zip([answer.a, answer.b]) {
-            for (truth, p) in truth.iter().zip(&exact(p)?) {
-                let off = (&(p * over) - truth).abs();
-                worst = worst.max(off.ratio(&(over * size)));
+        for (truth, p) in self.ends.iter().zip([answer.a, answer.b]) {
+            for off in minus(&exact(p)?, truth) {
+                worst = worst.max(off.abs().ratio(size));
             }
         }
         Some(worst)
@@ -167,11 +146,7 @@ mod tests {
     fn the_lectures_segments() {
         let left = |a, b| {
             let truth = ExactSegment::of(&lecture(), segment(a, b))?;
-            Some(
-                truth
-                    .ends
-                    .map(|([x, y], over)| (x.ratio(&over), y.ratio(&over))),
-            )
+            Some(truth.ends.map(|[x, y]| (x.nearest(), y.nearest())))
         };
         assert_eq!(
             left((2.0, 14.0), (8.0, -4.0)),

@@ -10,10 +10,11 @@ use ombra_math::glam::{DVec2, DVec3};
 use ombra_math::mesh::Mesh;
 use ombra_math::view::{Viewport, frustum};
 use ombra_math::work::Count;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::exact;
 use ombra_raster::buffers::image::Luma;
 
 use crate::deviation::{Deviation, Verdict};
-use crate::exact::Exact;
 use crate::hidden::{self, Answer};
 use crate::random::Random;
 
@@ -219,24 +220,24 @@ fn surfaces(distance: f64, gap: f64, together: Together) -> [Surface; 2] {
 /// 1 / z = (1 − s) / left + s / right
 /// ```
 fn seen([first, second]: [Surface; 2], i: u32) -> Option<Pixel> {
-    let to_right = f64::from(2 * i + 1);
-    let to_left = f64::from(2 * TILE) - to_right;
-    let exact = |[left, right]: Surface| {
-        let [l, r] = [Exact::of(left)?, Exact::of(right)?];
-        let sum = &(&Exact::of(to_left)? * &r) + &(&Exact::of(to_right)? * &l);
-        Some((sum, &l * &r))
+    let to_right = 2 * i + 1;
+    let to_left = 2 * TILE - to_right;
+    let inverse = |[left, right]: Surface| {
+        let [l, r] = exact([left, right])?;
+        let sum = Exact::from(to_left) * &r + Exact::from(to_right) * &l;
+        Some((sum, l * r))
     };
-    let ((a, p), (b, q)) = (exact(first)?, exact(second)?);
-    let nearer = match (&(&a * &q) - &(&b * &p)).sign() {
+    let ((a, p), (b, q)) = (inverse(first)?, inverse(second)?);
+    let nearer = match (&a * &q).cmp(&(&b * &p)) {
         Ordering::Greater => 0,
         Ordering::Less => 1,
         Ordering::Equal => return None,
     };
     // z₁ = 16 p / a and z₂ = 16 q / b, and their difference, rounded once each.
-    let whole = Exact::of(f64::from(2 * TILE))?;
+    let whole = Exact::from(2 * TILE);
     let [z, y] = [(&p, &a), (&q, &b)].map(|(top, bottom)| (&whole * top).ratio(bottom));
-    let difference = &(&p * &b) - &(&q * &a);
-    let gap = (&whole * &difference).ratio(&(&a * &b)).abs();
+    let difference = &p * &b - &q * &a;
+    let gap = (&whole * difference).ratio(&(&a * &b)).abs();
     Some(Pixel {
         nearer,
         distance: z.min(y),

@@ -1,14 +1,13 @@
 //! Planes, lights and vertices that lose digits on purpose, and their exact shadows.
 
-use core::cmp::Ordering;
-
 use ombra_math::glam::{DMat4, DVec3, DVec4, Mat4, Vec3};
 use ombra_math::homogeneous::{incidence, point};
 use ombra_math::plane::Plane;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{dot, exact, mix};
 use ombra_shadows::planar::shadow_matrix;
 
 use crate::deviation::Deviation;
-use crate::exact::Exact;
 use crate::random::Random;
 
 /// Length 1 to four digits, along no axis.
@@ -155,7 +154,7 @@ impl Scene {
         Deviation::of(self.shadows.iter().zip(answers).map(|(truth, answer)| {
             let (answer, origin, middle) = (exact(answer?)?, exact(origin)?, exact(self.middle)?);
             // All multiplied by w, so that nothing is divided before it is compared.
-            let (mut off, mut size) = (Exact::zero(), Exact::zero());
+            let (mut off, mut size) = (Exact::ZERO, Exact::ZERO);
             for (((n, p), o), m) in truth
                 .numerator
                 .iter()
@@ -163,8 +162,8 @@ impl Scene {
                 .zip(&origin)
                 .zip(&middle)
             {
-                off = off.max((&(&(p + o) * &truth.w) - n).abs());
-                size = size.max((n - &(m * &truth.w)).abs());
+                off = off.max(((p + o) * &truth.w - n).abs());
+                size = size.max((n - m * &truth.w).abs());
             }
             Some(off.ratio(&size))
         }))
@@ -186,30 +185,23 @@ fn plane_at(p: DVec4, height: f64) -> Plane {
 impl ExactShadow {
     /// The shadow by the quotient form in integers; `None` where `v` is not between the light and the plane.
     fn of(plane: Plane, light: DVec4, v: DVec3) -> Option<Self> {
-        let [a, b, c] = exact(plane.normal)?;
-        let [lx, ly, lz] = exact(light.truncate())?;
-        let [x, y, z] = exact(v)?;
-        let (d, lw) = (Exact::of(plane.d)?, Exact::of(light.w)?);
-        let side = |x: &Exact, y: &Exact, z: &Exact, w: &Exact| {
-            &(&(&(&a * x) + &(&b * y)) + &(&c * z)) + &(&d * w)
-        };
-        let (s, t) = (side(&lx, &ly, &lz, &lw), side(&x, &y, &z, &Exact::one()));
-        let w = &s - &(&lw * &t);
-        let between = s.sign() == Ordering::Greater
-            && t.sign() != Ordering::Less
-            && w.sign() == Ordering::Greater;
-        let numerator = [(&x, &lx), (&y, &ly), (&z, &lz)].map(|(v, l)| &(&s * v) - &(&t * l));
+        let (pi, l, v) = (
+            exact(plane.coefficients())?,
+            exact(light)?,
+            exact(v.extend(1.0))?,
+        );
+        let (s, t) = (dot(&pi, &l), dot(&pi, &v));
+        let [x, y, z, w] = mix(&s, &v, &-&t, &l);
+        let between = s > 0 && t >= 0 && w > 0;
+        let numerator = [x, y, z];
         between.then_some(Self { numerator, w })
     }
-}
-
-fn exact(p: DVec3) -> Option<[Exact; 3]> {
-    Some([Exact::of(p.x)?, Exact::of(p.y)?, Exact::of(p.z)?])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ombra_oracle::vector::cross;
 
     #[test]
     fn the_lectures_shadow() {
@@ -234,42 +226,18 @@ mod tests {
             Scene::to_infinity(1.0, 20),
             Scene::far_from_origin(1e12, 20),
         ] {
-            let zero = Exact::zero();
-            let ([a, b, c], d) = (
-                exact(scene.plane.normal).unwrap(),
-                Exact::of(scene.plane.d).unwrap(),
-            );
-            let (l, lw) = (
-                exact(scene.light.truncate()).unwrap(),
-                Exact::of(scene.light.w).unwrap(),
-            );
+            let pi = exact(scene.plane.coefficients()).unwrap();
+            let light = exact(scene.light.truncate()).unwrap();
+            let light_w = Exact::new(scene.light.w).unwrap();
             assert_eq!((scene.vertices.len(), scene.shadows.len()), (20, 20));
-            for (
-                v,
-                ExactShadow {
-                    numerator: [x, y, z],
-                    w,
-                },
-            ) in scene.vertices.iter().zip(&scene.shadows)
-            {
-                let on_plane = [(&a, x), (&b, y), (&c, z), (&d, w)];
-                assert_eq!(
-                    on_plane
-                        .iter()
-                        .fold(zero.clone(), |sum, (n, p)| &sum + &(*n * *p)),
-                    zero
-                );
+            for (v, ExactShadow { numerator, w }) in scene.vertices.iter().zip(&scene.shadows) {
+                let [x, y, z] = numerator.clone();
+                assert_eq!(dot(&pi, &[x, y, z, w.clone()]), 0);
                 // P − V is a multiple of L − L_w V: their cross product is zero.
                 let v = exact(*v).unwrap();
-                let to_shadow: Vec<_> = [x, y, z]
-                    .into_iter()
-                    .zip(&v)
-                    .map(|(p, v)| p - &(w * v))
-                    .collect();
-                let to_light: Vec<_> = l.iter().zip(&v).map(|(l, v)| l - &(&lw * v)).collect();
-                for (i, j) in [(0, 1), (1, 2), (2, 0)] {
-                    assert_eq!(&to_shadow[i] * &to_light[j], &to_shadow[j] * &to_light[i]);
-                }
+                let to_shadow = mix(&Exact::from(1), numerator, &-w, &v);
+                let to_light = mix(&Exact::from(1), &light, &-&light_w, &v);
+                assert!(cross(&to_shadow, &to_light).iter().all(Exact::is_zero));
             }
         }
     }
