@@ -21,14 +21,14 @@ use z_buffer::{Colours, Cull, DepthBuffer, Options, ReversedDepth32F};
 
 const SIZE: u32 = 120;
 
-struct Scene {
+struct PolygonsInView {
     name: &'static str,
     polygons: Vec<Polygon>,
     camera: Camera,
 }
 
-fn scene(name: &'static str, polygons: Vec<Polygon>, camera: Camera) -> Scene {
-    Scene {
+fn scene(name: &'static str, polygons: Vec<Polygon>, camera: Camera) -> PolygonsInView {
+    PolygonsInView {
         name,
         polygons,
         camera,
@@ -114,7 +114,7 @@ fn random(count: usize, seed: u64) -> Vec<Polygon> {
         .collect()
 }
 
-fn scenes() -> Vec<Scene> {
+fn scenes() -> Vec<PolygonsInView> {
     let crossing = vec![
         polygon(&[(-3.0, -2.0, -1.0), (3.0, -2.0, 2.0), (0.0, 3.0, 1.0)]),
         polygon(&[(-3.0, 2.0, 2.0), (0.5, -3.0, -1.0), (3.0, 2.5, -2.0)]),
@@ -196,7 +196,7 @@ fn scenes() -> Vec<Scene> {
     ]
 }
 
-fn by_z_buffer(scene: &Scene, options: Options) -> IdBuffer {
+fn by_z_buffer(scene: &PolygonsInView, options: Options) -> IdBuffer {
     let (mesh, sources) = triangles(&scene.polygons).unwrap();
     let colours: Vec<_> = sources
         .iter()
@@ -217,26 +217,26 @@ fn by_z_buffer(scene: &Scene, options: Options) -> IdBuffer {
     picture
 }
 
-fn by_object_space(scene: &Scene) -> IdBuffer {
+fn by_object_space(scene: &PolygonsInView) -> IdBuffer {
     let parts = visible_parts(&scene.polygons, scene.camera.eye().unwrap());
     painted(&parts, scene)
 }
 
-fn by_painter(scene: &Scene) -> IdBuffer {
+fn by_painter(scene: &PolygonsInView) -> IdBuffer {
     let parts = painter::order_by_cutting(&scene.polygons, scene.camera.eye().unwrap());
     painted(&parts, scene)
 }
 
-fn painted(parts: &[(usize, Polygon)], scene: &Scene) -> IdBuffer {
+fn painted(parts: &[(usize, Polygon)], scene: &PolygonsInView) -> IdBuffer {
     let parts = parts.iter().map(|(source, part)| (*source, part));
     paint(parts, &scene.camera).unwrap()
 }
 
-fn by_rays(scene: &Scene) -> IdBuffer {
+fn by_rays(scene: &PolygonsInView) -> IdBuffer {
     image_space::cast(&scene.polygons, &scene.camera).unwrap()
 }
 
-fn difference(scene: &Scene, picture: &IdBuffer) -> Difference {
+fn difference(scene: &PolygonsInView, picture: &IdBuffer) -> Difference {
     compare(&by_rays(scene), picture, &scene.polygons, &scene.camera).unwrap()
 }
 
@@ -288,7 +288,7 @@ fn all_methods_give_one_picture() {
 
 /// The z-buffer's picture by another way: corners moved to multiples of 2⁻⁸ of a pixel, the pixels of each triangle by
 /// exact spans, the depth there as the mixture of its corners' depths. `None` where the view volume cuts a triangle.
-fn by_snapped_spans(scene: &Scene) -> Option<IdBuffer> {
+fn by_snapped_spans(scene: &PolygonsInView) -> Option<IdBuffer> {
     let (mesh, sources) = triangles(&scene.polygons).unwrap();
     let mut picture = paint([], &scene.camera).unwrap();
     let mut nearest = vec![0.0f32; (SIZE * SIZE) as usize];

@@ -15,14 +15,14 @@ use ombra_tests::shadow::{Decision, ExactShadow};
 
 /// A convex caster, a plane and a light.
 #[derive(Clone, Debug)]
-struct Scene {
+struct PlaneLightCaster {
     plane: Plane,
     light: DVec4,
     caster: Vec<DVec3>,
 }
 
 /// A scene of whole numbers, at times moved next to a degenerate position or made huge or tiny.
-fn scene(random: &mut Random) -> Scene {
+fn scene(random: &mut Random) -> PlaneLightCaster {
     let mut whole = |size: u32| f64::from(random.below(2 * size + 1)) - f64::from(size);
     let plane = Plane {
         normal: dvec3(whole(5), whole(5), whole(5)),
@@ -52,7 +52,7 @@ fn scene(random: &mut Random) -> Scene {
         0 => random.power_of_two(-980, 980),
         _ => 1.0,
     };
-    Scene {
+    PlaneLightCaster {
         plane: Plane {
             normal: plane.normal,
             d: plane.d * size,
@@ -94,11 +94,11 @@ fn weights(random: &mut Random, n: usize, [low, high]: [i32; 2]) -> Vec<i32> {
 /// be as well; the answer is the first flaw.
 fn flaw(
     random: &mut Random,
-    scene: &Scene,
+    scene: &PlaneLightCaster,
     seen: &mut [usize; 3],
     cast_under_test: impl Fn(Plane, DVec4, &[DVec3]) -> Vec<DVec4>,
 ) -> Option<String> {
-    let Scene {
+    let PlaneLightCaster {
         plane,
         light,
         caster,
@@ -336,7 +336,7 @@ fn flaw_on_receiver(
 /// A light, a caster, and a receiver across the caster's way, so that something falls on it more often than by
 /// chance: as large as the caster and up to twice as far from the light.
 fn receiving(random: &mut Random) -> (DVec4, Vec<DVec3>, Vec<DVec3>) {
-    let Scene { light, caster, .. } = scene(random);
+    let PlaneLightCaster { light, caster, .. } = scene(random);
     let mut receiver = convex(random);
     let size = caster.iter().fold(0.0_f64, |size, v| {
         size.max((*v - caster[0]).abs().max_element())

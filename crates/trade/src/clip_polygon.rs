@@ -33,7 +33,7 @@
 //!   In f32 the vertices are stored in f32 too.
 
 mod advice;
-mod scene;
+mod polygons;
 mod textbook;
 
 use std::rc::Rc;
@@ -42,7 +42,7 @@ use ombra_clip::{pieces, sutherland_hodgman};
 
 use crate::advice::power_of_ten;
 use crate::clip_polygon::advice::advice;
-use crate::clip_polygon::scene::Scene;
+use crate::clip_polygon::polygons::WindowAndPolygons;
 use crate::deviation::Measure;
 use crate::study::{Case, Effort, Question, Study, Sweep};
 
@@ -58,7 +58,7 @@ pub const STUDY: Study = Study {
 };
 
 fn sweeps(effort: Effort) -> Vec<Sweep> {
-    let sweep = |name: &'static str, polygons: fn(usize, usize) -> Scene| {
+    let sweep = |name: &'static str, polygons: fn(usize, usize) -> WindowAndPolygons| {
         let questions = [4, 16, 64, 256, 1024, 4096, 10_000].map(|vertices| {
             let number = (effort.choose(1000, 20_000) / vertices).clamp(1, 500);
             let inputs = match number {
@@ -81,7 +81,7 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     let far = (0..=12).map(|k| {
         let distance = libm::exp10(f64::from(k));
         let number = effort.choose(10, 100);
-        let scene = Rc::new(Scene::far_stars(distance, 64, number));
+        let scene = Rc::new(WindowAndPolygons::far_stars(distance, 64, number));
         let inputs = format!(
             "{number} polygons with vertices {} window sizes away",
             power_of_ten(distance)
@@ -95,13 +95,13 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
         charted: 6,
     };
     vec![
-        sweep("star", Scene::stars),
-        sweep("comb", Scene::combs),
+        sweep("star", WindowAndPolygons::stars),
+        sweep("comb", WindowAndPolygons::combs),
         far,
     ]
 }
 
-fn question(inputs: String, k: f64, scene: &Rc<Scene>) -> Question {
+fn question(inputs: String, k: f64, scene: &Rc<WindowAndPolygons>) -> Question {
     Question {
         inputs,
         units: scene.polygons.iter().map(Vec::len).sum(),

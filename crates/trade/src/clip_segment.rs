@@ -29,7 +29,7 @@
 //! Counted work is of numbers as the technique has them: a division that is rounded once is some twenty operations of doubles.
 
 mod advice;
-mod scene;
+mod segments;
 mod textbook;
 
 use std::rc::Rc;
@@ -38,7 +38,7 @@ use ombra_clip::{cohen_sutherland, cyrus_beck, direct, liang_barsky};
 
 use crate::advice::{percent, power_of_ten};
 use crate::clip_segment::advice::advice;
-use crate::clip_segment::scene::{Clipped, Scene};
+use crate::clip_segment::segments::{Clipped, WindowAndSegments};
 use crate::deviation::Measure;
 use crate::study::{Case, Effort, Question, Study, Sweep};
 
@@ -59,7 +59,7 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     let segments = effort.choose(400, 4000);
     let outside = [0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100].map(|share| {
         let share = f64::from(share) / 100.0;
-        let scene = Rc::new(Scene::outside(share, segments));
+        let scene = Rc::new(WindowAndSegments::outside(share, segments));
         question(
             format!("{} of {segments} segments outside", percent(share)),
             share,
@@ -68,7 +68,7 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     });
     let far_ends = (0..=12).map(|k| {
         let distance = libm::exp10(f64::from(k));
-        let scene = Rc::new(Scene::far_ends(distance, segments));
+        let scene = Rc::new(WindowAndSegments::far_ends(distance, segments));
         question(
             format!(
                 "{segments} segments with ends {} window sizes away",
@@ -94,8 +94,8 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     ]
 }
 
-fn question(inputs: String, k: f64, scene: &Rc<Scene>) -> Question {
-    let judge = |s: &Scene, clipped: &Clipped| s.deviation(clipped);
+fn question(inputs: String, k: f64, scene: &Rc<WindowAndSegments>) -> Question {
+    let judge = |s: &WindowAndSegments, clipped: &Clipped| s.deviation(clipped);
     Question {
         inputs,
         units: scene.segments.len(),

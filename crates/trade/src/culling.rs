@@ -28,7 +28,7 @@
 //! - `object space`, `culled object space`: all pairs of faces, or of those that look towards the eye. To 1000 triangles.
 
 mod advice;
-mod scene;
+mod solid;
 
 use std::rc::Rc;
 
@@ -37,7 +37,7 @@ use ombra_math::mesh::Mesh;
 use ombra_math::work::Counter;
 
 use crate::culling::advice::advice;
-use crate::culling::scene::{Solid, sphere, torus};
+use crate::culling::solid::{Solid, sphere, torus};
 use crate::deviation::Measure;
 use crate::hidden::Answer;
 use crate::study::{Case, Effort, Question, Study, Sweep};

@@ -30,7 +30,7 @@ const UNITS: f64 = 65_536.0;
 pub const EYE: DVec4 = DVec4::W;
 
 /// Triangles between the near and the far plane, seen from the origin along −z through a window of 90°.
-pub struct Scene {
+pub struct TrianglesInView {
     /// Of side × side pixels.
     pub camera: Camera,
     pub mesh: Mesh,
@@ -74,7 +74,7 @@ pub fn draw<F: DepthFormat>(
     Some(picture)
 }
 
-impl Scene {
+impl TrianglesInView {
     /// Of a mesh in a picture of side × side pixels; positions are moved to multiples of 2⁻¹⁶.
     ///
     /// They must lie between the near and the far plane, and below 32 in every coordinate.

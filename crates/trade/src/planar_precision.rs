@@ -38,7 +38,7 @@
 //! [`by_parameter`]: ombra_shadows::planar::textbook::by_parameter
 
 mod advice;
-mod scene;
+mod casts;
 mod techniques;
 
 use std::rc::Rc;
@@ -46,7 +46,7 @@ use std::rc::Rc;
 use crate::advice::power_of_ten;
 use crate::deviation::Measure;
 use crate::planar_precision::advice::advice;
-use crate::planar_precision::scene::Scene;
+use crate::planar_precision::casts::Casts;
 use crate::planar_precision::techniques::{
     cast, directional_f64, matrix_f32, matrix_f64, moved_origin, parameter_f64, quotient_f64,
 };
@@ -67,12 +67,12 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     let vertices = effort.choose(200, 2000);
     let powers = |last: i32| (0..=last).map(|k| libm::exp10(f64::from(k)));
     let towards_plane = powers(15).map(|k| {
-        let scene = Rc::new(Scene::towards_plane(1.0 / k, vertices));
+        let scene = Rc::new(Casts::towards_plane(1.0 / k, vertices));
         let inputs = format!("light {} times as far as high", power_of_ten(k));
         question(inputs, &scene, common(k, &scene))
     });
     let to_infinity = powers(15).map(|k| {
-        let scene = Rc::new(Scene::to_infinity(1.0 / k, vertices));
+        let scene = Rc::new(Casts::to_infinity(1.0 / k, vertices));
         let mut cases = common(k, &scene);
         cases.push(Case::new(
             "directional f64",
@@ -89,7 +89,7 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
         )
     });
     let far = powers(12).map(|k| {
-        let scene = Rc::new(Scene::far_from_origin(k, vertices));
+        let scene = Rc::new(Casts::far_from_origin(k, vertices));
         let mut cases = common(k, &scene);
         cases.push(Case::new(
             "moved origin f64",
@@ -127,7 +127,7 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     ]
 }
 
-fn question(light: String, scene: &Scene, cases: Vec<Case>) -> Question {
+fn question(light: String, scene: &Casts, cases: Vec<Case>) -> Question {
     let units = scene.vertices.len();
     Question {
         inputs: format!("{light}; {units} vertices"),
@@ -137,9 +137,9 @@ fn question(light: String, scene: &Scene, cases: Vec<Case>) -> Question {
 }
 
 /// The techniques that every sweep compares.
-fn common(k: f64, scene: &Rc<Scene>) -> Vec<Case> {
-    let judge = |s: &Scene, shadows: &Vec<_>| s.deviation(shadows);
-    let judge_f32 = |s: &Scene, shadows: &Vec<_>| s.deviation_f32(shadows);
+fn common(k: f64, scene: &Rc<Casts>) -> Vec<Case> {
+    let judge = |s: &Casts, shadows: &Vec<_>| s.deviation(shadows);
+    let judge_f32 = |s: &Casts, shadows: &Vec<_>| s.deviation_f32(shadows);
     vec![
         Case::new(
             "matrix f64",

@@ -28,7 +28,7 @@
 //! - `sort only`: painted by the distance of the farthest vertex, no pair compared.
 
 mod advice;
-mod scene;
+mod triangles;
 
 use std::rc::Rc;
 
@@ -36,10 +36,10 @@ use ombra_hsr::z_buffer::Cull;
 use ombra_math::work::Counter;
 
 use crate::deviation::Measure;
-use crate::hidden::{Answer, Scene};
+use crate::hidden::{Answer, TrianglesInView};
 use crate::study::{Case, Effort, Question, Study, Sweep};
 use crate::visibility::advice::advice;
-use crate::visibility::scene::triangles;
+use crate::visibility::triangles::triangles;
 
 /// The study.
 pub const STUDY: Study = Study {
@@ -96,8 +96,8 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
 }
 
 fn question(k: usize, side: u32, setting: f64, limits: Limits) -> Question {
-    let scene = Rc::new(Scene::new(triangles(k), side));
-    let judge = |s: &Scene, answer: &Answer| s.deviation(answer);
+    let scene = Rc::new(TrianglesInView::new(triangles(k), side));
+    let judge = |s: &TrianglesInView, answer: &Answer| s.deviation(answer);
     let case =
         |technique, timed, counted| Case::new(technique, setting, &scene, timed, counted, judge);
     let mut cases = vec![case(

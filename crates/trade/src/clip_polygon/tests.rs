@@ -59,13 +59,13 @@ fn work_is_counted_where_it_is_done() {
 
 #[test]
 fn a_comb_falls_into_its_teeth() {
-    let scene = Scene::combs(400, 1);
+    let scene = WindowAndPolygons::combs(400, 1);
     let comb = &scene.polygons[0];
     let found = pieces::clip_polygon(&scene.window, comb);
     // One in ten stands beside the window on either side.
     assert!((80..100).contains(&found.len()), "{}", found.len());
     assert!(!sutherland_hodgman::clip_polygon(&scene.window, comb).is_empty());
-    let star = &Scene::stars(400, 1).polygons[0];
+    let star = &WindowAndPolygons::stars(400, 1).polygons[0];
     assert_eq!(pieces::clip_polygon(&scene.window, star).len(), 1);
 }
 

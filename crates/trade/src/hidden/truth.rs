@@ -160,7 +160,7 @@ fn about(corners: [DVec3; 3], side: u32) -> [Range<u32>; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hidden::Scene;
+    use crate::hidden::TrianglesInView;
     use crate::random::Random;
     use ombra_hsr::image_space::cast_plain;
 
@@ -207,7 +207,7 @@ mod tests {
     #[test]
     fn agrees_with_the_other_exact_rays() {
         for seed in 8..12 {
-            let scene = Scene::new(random_mesh(seed, 12), 48);
+            let scene = TrianglesInView::new(random_mesh(seed, 12), 48);
             let picture = cast_plain(&scene.polygons, &scene.camera).unwrap();
             let deviation = scene.truth.deviation(Some(&picture));
             assert_eq!((deviation.asked, deviation.wrong), (48 * 48, 0), "{seed}");

@@ -5,10 +5,10 @@ use ombra_math::glam::{DVec3, Vec3};
 use ombra_math::work::{Count, Counter};
 use ombra_shadows::planar::{counted, textbook};
 
-use super::scene::Scene;
+use super::casts::Casts;
 
 /// M V, divided by w where w > 0.
-pub fn matrix_f64(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
+pub fn matrix_f64(scene: &Casts, work: &mut impl Count) -> Vec<Option<DVec3>> {
     let m = scene.matrix;
     scene.each(|v| {
         let p = m.x_axis * v.x + m.y_axis * v.y + m.z_axis * v.z + m.w_axis;
@@ -22,7 +22,7 @@ pub fn matrix_f64(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
 }
 
 /// M V in f32, divided by w where w > 0.
-pub fn matrix_f32(scene: &Scene, work: &mut impl Count) -> Vec<Option<Vec3>> {
+pub fn matrix_f32(scene: &Casts, work: &mut impl Count) -> Vec<Option<Vec3>> {
     let m = scene.matrix_f32;
     let vertices = scene.vertices_f32.iter();
     let shadow = |v: &Vec3| {
@@ -38,7 +38,7 @@ pub fn matrix_f32(scene: &Scene, work: &mut impl Count) -> Vec<Option<Vec3>> {
 }
 
 /// The affine matrix of the light's direction: w is 1, and nothing is divided.
-pub fn directional_f64(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
+pub fn directional_f64(scene: &Casts, work: &mut impl Count) -> Vec<Option<DVec3>> {
     let [x, y, z, w] = scene.directional;
     scene.each(|v| {
         let p = x * v.x + y * v.y + z * v.z + w;
@@ -48,22 +48,22 @@ pub fn directional_f64(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3
 }
 
 /// (s V − t L) / (s − L_w t).
-pub fn quotient_f64(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
+pub fn quotient_f64(scene: &Casts, work: &mut impl Count) -> Vec<Option<DVec3>> {
     scene.each(|v| textbook::by_quotient(scene.plane, scene.light, v, work))
 }
 
 /// L + k (V − L), or V − k L for a light at infinity.
-pub fn parameter_f64(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
+pub fn parameter_f64(scene: &Casts, work: &mut impl Count) -> Vec<Option<DVec3>> {
     scene.each(|v| textbook::by_parameter(scene.plane, scene.light, v, work))
 }
 
 /// Decided exactly, rounded once.
-pub fn cast(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
+pub fn cast(scene: &Casts, work: &mut impl Count) -> Vec<Option<DVec3>> {
     scene.each(|v| counted::cast(scene.plane, scene.light, v, work))
 }
 
 /// The quotient form with the origin in the middle of the scene, where the shadows stay.
-pub fn moved_origin(scene: &Scene, work: &mut impl Count) -> Vec<Option<DVec3>> {
+pub fn moved_origin(scene: &Casts, work: &mut impl Count) -> Vec<Option<DVec3>> {
     scene.each(|v| {
         work.add(Counter::Additions, 3);
         textbook::by_quotient(scene.local_plane, scene.local_light, v - scene.middle, work)

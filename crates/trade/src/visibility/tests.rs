@@ -1,6 +1,6 @@
 use super::*;
 use crate::run::judged::{Judged, judged};
-use crate::visibility::scene::LAYERS;
+use crate::visibility::triangles::LAYERS;
 
 impl Judged {
     /// k and n·m.

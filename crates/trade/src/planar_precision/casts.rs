@@ -21,7 +21,7 @@ const CENTRE: DVec3 = DVec3::new(1.0, -5.5, 2.0);
 const DISTANCE: f64 = 10.0;
 
 /// A plane, a light, vertices that all cast a shadow, and everything that is made of them before the clock runs.
-pub struct Scene {
+pub struct Casts {
     pub plane: Plane,
     pub light: DVec4,
     pub vertices: Vec<DVec3>,
@@ -48,7 +48,7 @@ struct ExactShadow {
     w: Exact,
 }
 
-impl Scene {
+impl Casts {
     /// A light at `height` times its distance over the plane, and vertices below it.
     pub fn towards_plane(height: f64, vertices: usize) -> Self {
         let away = (1.0 - height * height).sqrt() * ALONG + height * NORMAL;
@@ -221,10 +221,10 @@ mod tests {
     #[test]
     fn shadows_lie_on_the_plane_and_on_the_ray_without_any_error() {
         for scene in [
-            Scene::towards_plane(1e-15, 20),
-            Scene::to_infinity(1e-9, 20),
-            Scene::to_infinity(1.0, 20),
-            Scene::far_from_origin(1e12, 20),
+            Casts::towards_plane(1e-15, 20),
+            Casts::to_infinity(1e-9, 20),
+            Casts::to_infinity(1.0, 20),
+            Casts::far_from_origin(1e12, 20),
         ] {
             let pi = exact(scene.plane.coefficients()).unwrap();
             let light = exact(scene.light.truncate()).unwrap();
@@ -246,7 +246,7 @@ mod tests {
     fn the_light_is_as_high_as_asked() {
         for k in 0..=15 {
             let height = 10f64.powi(-k);
-            let scene = Scene::towards_plane(height, 1);
+            let scene = Casts::towards_plane(height, 1);
             let found = incidence(scene.plane.coefficients(), scene.light) / DISTANCE;
             // n·L is below 8 and within ε of itself, d half an ulp more: 1.4·10⁻¹⁵, over the distance of 10.
             assert!((found - height).abs() <= 1.4e-16, "{height:e} {found:e}");
@@ -255,7 +255,7 @@ mod tests {
 
     #[test]
     fn errors_are_relative_to_the_middle_and_not_rounded_before() {
-        let scene = Scene::far_from_origin(1.0, 2);
+        let scene = Casts::far_from_origin(1.0, 2);
         let truth: Vec<_> = scene
             .shadows
             .iter()

@@ -9,7 +9,7 @@ use ombra_math::work::Count;
 use ombra_raster::buffers::image::Luma;
 
 use crate::deviation::Verdict;
-use crate::hidden::{Answer, EYE, Scene};
+use crate::hidden::{Answer, EYE, TrianglesInView};
 
 /// The middle of the solid. Beside the axis, so that no edge runs through a column of centres.
 const MIDDLE: DVec3 = DVec3::new(0.37, -0.29, -6.0);
@@ -18,7 +18,7 @@ const RADIUS: f64 = 3.0;
 
 /// A solid, and its pictures without culling.
 pub struct Solid {
-    pub scene: Scene,
+    pub scene: TrianglesInView,
     by_z_buffer: Answer,
     /// `None` where pairs are too many.
     by_object_space: Answer,
@@ -27,7 +27,7 @@ pub struct Solid {
 impl Solid {
     /// With pairs of faces compared, or not.
     pub fn new(mesh: Mesh, side: u32, pairs: bool) -> Self {
-        let scene = Scene::new(mesh, side);
+        let scene = TrianglesInView::new(mesh, side);
         Self {
             by_z_buffer: scene.z_buffer(Cull::Nothing, &mut ()),
             by_object_space: pairs.then(|| scene.object_space(&mut ())).flatten(),

@@ -14,7 +14,7 @@ use crate::random::Random;
 pub type Clipped = Vec<Option<Segment>>;
 
 /// A window, segments, and their exact parts inside.
-pub struct Scene {
+pub struct WindowAndSegments {
     pub window: Window,
     pub corners: [DVec2; 4],
     pub segments: Vec<Segment>,
@@ -26,7 +26,7 @@ struct ExactSegment {
     ends: [[Exact; 2]; 2],
 }
 
-impl Scene {
+impl WindowAndSegments {
     /// Ends in a square of three times the window's size, with the window in its middle; that share of the segments has
     /// nothing in the window.
     pub fn outside(share: f64, number: usize) -> Self {
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn judging() {
-        let mut scene = Scene::empty();
+        let mut scene = WindowAndSegments::empty();
         let inside = segment((1.0, 1.0), (4.0, 2.0));
         let beside = segment((1.0, 20.0), (4.0, 30.0));
         for s in [inside, beside] {
@@ -196,14 +196,14 @@ mod tests {
     #[test]
     fn shares_are_as_asked() {
         for share in [0.0, 0.3, 1.0] {
-            let scene = Scene::outside(share, 50);
+            let scene = WindowAndSegments::outside(share, 50);
             let outside = scene.truths.iter().filter(|truth| truth.is_none()).count();
             assert_eq!(
                 (scene.segments.len(), outside),
                 (50, (50.0 * share) as usize)
             );
         }
-        let scene = Scene::far_ends(1e6, 100);
+        let scene = WindowAndSegments::far_ends(1e6, 100);
         let inside = scene.truths.iter().flatten().count();
         assert!(inside > 50 && inside < 100, "{inside}");
         assert!(scene.segments.iter().all(|s| s.a.abs().max_element() > 1e6));

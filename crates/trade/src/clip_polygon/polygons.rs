@@ -15,7 +15,7 @@ use crate::random::Random;
 const BITS: u32 = 300;
 
 /// A window and polygons that turn counter-clockwise (y up).
-pub struct Scene {
+pub struct WindowAndPolygons {
     pub window: Window,
     pub polygons: Vec<Vec<DVec2>>,
     polygons_f32: Vec<Vec<Vec2>>,
@@ -23,7 +23,7 @@ pub struct Scene {
     areas: Vec<Option<Exact>>,
 }
 
-impl Scene {
+impl WindowAndPolygons {
     /// `number` polygons of `vertices` each round the middle of the window.
     pub fn stars(vertices: usize, number: usize) -> Self {
         let mut random = Random::new(1974);
@@ -273,7 +273,7 @@ mod tests {
 
     #[test]
     fn judging() {
-        let scene = Scene::new(vec![points(&[
+        let scene = WindowAndPolygons::new(vec![points(&[
             (1.0, 1.0),
             (3.0, 1.0),
             (3.0, 2.0),
@@ -319,8 +319,12 @@ mod tests {
     #[test]
     fn polygons_are_simple_and_cross_the_border() {
         for vertices in [4, 16, 256] {
-            let far = Scene::far_stars(1e6, vertices, 3);
-            for scene in [Scene::stars(vertices, 3), Scene::combs(vertices, 3), far] {
+            let far = WindowAndPolygons::far_stars(1e6, vertices, 3);
+            for scene in [
+                WindowAndPolygons::stars(vertices, 3),
+                WindowAndPolygons::combs(vertices, 3),
+                far,
+            ] {
                 for (polygon, inside) in scene.polygons.iter().zip(&scene.areas) {
                     assert_eq!(polygon.len(), vertices);
                     assert!(is_simple(polygon));
