@@ -102,13 +102,13 @@ proptest! {
         let moves = u64::from(a.x.abs_diff(b.x).max(a.y.abs_diff(b.y)));
         let expected = (moves + 1).min(FEW as u64) as usize;
         prop_assert_eq!(look(analytic::segment(a, b)), expected);
-        prop_assert_eq!(look(analytic::segment_counted(a, b, &mut work)), expected);
+        prop_assert_eq!(look(analytic::counted::segment(a, b, &mut work)), expected);
         prop_assert_eq!(look(dda::segment(a, b)), expected);
-        prop_assert_eq!(look(dda::segment_counted(a, b, &mut work)), expected);
+        prop_assert_eq!(look(dda::counted::segment(a, b, &mut work)), expected);
         prop_assert_eq!(look(dda::segment_f32(a, b)), expected);
-        prop_assert_eq!(look(dda::segment_f32_counted(a, b, &mut work)), expected);
+        prop_assert_eq!(look(dda::counted::segment_f32(a, b, &mut work)), expected);
         prop_assert_eq!(look(bresenham::segment(a, b)), expected);
-        prop_assert_eq!(look(bresenham::segment_counted(a, b, &mut work)), expected);
+        prop_assert_eq!(look(bresenham::counted::segment(a, b, &mut work)), expected);
         prop_assert_eq!(bresenham::segment(a, b).next(), Some(a));
         prop_assert_eq!(bresenham::segment(a, b).last(), Some(b));
         prop_assert_eq!(bresenham::segment(a, b).nth(moves as usize), Some(b));
@@ -123,7 +123,7 @@ proptest! {
         let inside = |p: IVec2| min.cmple(p).all() && p.cmple(max).all();
         prop_assert!(bresenham::clipped(a, b, min, max).take(FEW).all(inside));
         prop_assert!(bresenham::clipped(a, b, min, max).last().is_none_or(inside));
-        look(bresenham::clipped_counted(a, b, min, max, &mut work));
+        look(bresenham::counted::clipped(a, b, min, max, &mut work));
         let _ = bresenham::clipped(a, b, min, max).nth(n);
         let _ = bresenham::clipped(a, b, min, max).trace().take(FEW).count();
     }

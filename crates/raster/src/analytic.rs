@@ -15,7 +15,44 @@ use core::ops::RangeInclusive;
 use ombra_math::glam::IVec2;
 use ombra_math::work::{Count, Counter};
 
-use crate::bresenham::Octant;
+use crate::octant::Octant;
+
+/// The slide's line in its octant, and the columns still to come.
+#[derive(Clone, Debug)]
+pub struct Pixels<C = ()> {
+    octant: Octant,
+    columns: RangeInclusive<u32>,
+    m: f64,
+    b: f64,
+    work: C,
+}
+
+impl<C: Count> Pixels<C> {
+    fn of(a: IVec2, b: IVec2, mut work: C) -> Self {
+        // Turn and mirror the segment into 0 ≤ m ≤ 1. A single point has no slope; any will do for its one column.
+        let octant = Octant::of(a, b);
+        let (dx, dy) = (f64::from(octant.run.max(1)), f64::from(octant.rise));
+        work.add(Counter::Divisions, 2);
+        Self {
+            octant,
+            columns: 0..=octant.run,
+            m: dy / dx,
+            b: 0.5 - 0.25 / dx,
+            work,
+        }
+    }
+
+    /// The pixel of column `x`.
+    #[inline]
+    fn at(&mut self, x: u32) -> IVec2 {
+        // A multiplication and an addition give the line's y at x; cut off, it is the nearest pixel's, for the ½ in B.
+        let y = self.m * f64::from(x) + self.b;
+        self.work.add(Counter::Multiplications, 1);
+        self.work.add(Counter::Additions, 1);
+        self.work.add(Counter::Roundings, 1);
+        self.octant.pixel(x, y as u32)
+    }
+}
 
 /// The pixels of the segment from `a` to `b`, each by a multiplication, an addition and a rounding.
 ///
@@ -66,57 +103,26 @@ pub fn segment(a: IVec2, b: IVec2) -> Pixels {
     Pixels::of(a, b, ())
 }
 
-/// [`segment`], with its work in `count`: a multiplication, an addition and a rounding a pixel, two divisions a
-/// segment.
-///
-/// # Examples
-///
-/// ```
-/// use ombra_math::glam::IVec2;
-/// use ombra_math::work::Work;
-/// use ombra_raster::analytic;
-///
-/// let mut work = Work::default();
-/// assert_eq!(analytic::segment_counted(IVec2::ZERO, IVec2::new(8, 3), &mut work).count(), 9);
-/// assert_eq!(work.to_string(), "9 multiplications, 9 additions, 2 divisions, 9 roundings");
-/// ```
-pub fn segment_counted<C: Count>(a: IVec2, b: IVec2, count: &mut C) -> Pixels<&mut C> {
-    Pixels::of(a, b, count)
-}
+/// The same pixels, with the work of finding them in `work`: a multiplication, an addition and a rounding a pixel, two
+/// divisions a segment.
+pub mod counted {
+    use super::{Count, IVec2, Pixels};
 
-/// The pixels of [`segment`].
-#[derive(Clone, Debug)]
-pub struct Pixels<C = ()> {
-    octant: Octant,
-    /// The columns still to come.
-    columns: RangeInclusive<u32>,
-    m: f64,
-    b: f64,
-    count: C,
-}
-
-impl<C: Count> Pixels<C> {
-    fn of(a: IVec2, b: IVec2, mut count: C) -> Self {
-        let octant = Octant::of(a, b);
-        // A single point has no slope; any will do for its one column.
-        let dx = f64::from(octant.run.max(1));
-        count.add(Counter::Divisions, 2);
-        Self {
-            octant,
-            columns: 0..=octant.run,
-            m: f64::from(octant.rise) / dx,
-            b: 0.5 - 0.25 / dx,
-            count,
-        }
-    }
-
-    #[inline]
-    fn at(&mut self, x: u32) -> IVec2 {
-        let y = self.m * f64::from(x) + self.b;
-        self.count.add(Counter::Multiplications, 1);
-        self.count.add(Counter::Additions, 1);
-        self.count.add(Counter::Roundings, 1);
-        self.octant.pixel(x, y as u32)
+    /// [`segment`](super::segment), counted.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_math::glam::IVec2;
+    /// use ombra_math::work::Work;
+    /// use ombra_raster::analytic::counted;
+    ///
+    /// let mut work = Work::default();
+    /// assert_eq!(counted::segment(IVec2::ZERO, IVec2::new(8, 3), &mut work).count(), 9);
+    /// assert_eq!(work.to_string(), "9 multiplications, 9 additions, 2 divisions, 9 roundings");
+    /// ```
+    pub fn segment<C: Count>(a: IVec2, b: IVec2, work: &mut C) -> Pixels<&mut C> {
+        Pixels::of(a, b, work)
     }
 }
 
@@ -171,7 +177,7 @@ mod tests {
     fn the_last_pixel_and_the_number_are_known_at_once() {
         let (a, b) = (IVec2::MIN, IVec2::new(i32::MAX, 5));
         let mut work = Work::default();
-        assert_eq!(segment_counted(a, b, &mut work).last(), Some(b));
+        assert_eq!(counted::segment(a, b, &mut work).last(), Some(b));
         assert_eq!(work.multiplications, 1);
         let mut short = segment(IVec2::ZERO, IVec2::new(8, 3));
         assert_eq!(short.nth(6), Some(IVec2::new(6, 2)));
@@ -188,7 +194,7 @@ mod tests {
     #[test]
     fn work_is_a_product_and_a_sum_a_pixel() {
         let mut work = Work::default();
-        for _ in segment_counted(IVec2::ZERO, IVec2::new(7, -100), &mut work) {}
+        for _ in counted::segment(IVec2::ZERO, IVec2::new(7, -100), &mut work) {}
         assert_eq!(
             (work.multiplications, work.additions, work.divisions),
             (101, 101, 2)

@@ -15,18 +15,66 @@
 
 mod clipped;
 mod draw;
-mod octant;
+mod fast;
 mod trace;
-
-use core::iter::FusedIterator;
 
 use ombra_math::glam::IVec2;
 use ombra_math::work::{Count, Counter};
 
-pub use clipped::{clipped, clipped_counted};
+use crate::octant::Octant;
+
+pub use clipped::clipped;
 pub use draw::draw;
-pub(crate) use octant::Octant;
+pub use fast::Pixels;
 pub use trace::{Choice, Step, Trace, trace};
+
+/// [`segment`] as the lecture tells it: `plot` gets the pixels, one after another.
+///
+/// # Formula
+///
+/// As [`segment`].
+///
+/// # Properties
+///
+/// Equal to [`segment`]. Its work: an integer addition a move.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::IVec2;
+/// use ombra_raster::bresenham;
+///
+/// let mut y = Vec::new();
+/// bresenham::segment_plain(IVec2::ZERO, IVec2::new(8, 3), &mut (), |p| y.push(p.y));
+/// assert_eq!(y, [0, 0, 1, 1, 1, 2, 2, 3, 3]);
+/// ```
+///
+/// # References
+///
+/// As [`segment`].
+pub fn segment_plain(a: IVec2, b: IVec2, work: &mut impl Count, mut plot: impl FnMut(IVec2)) {
+    // Turn and mirror the segment into the slide's octant, 0 ≤ dy ≤ dx; E and NE are moves of its pixels.
+    let octant = Octant::of(a, b);
+    let (dx, dy) = (i64::from(octant.run), i64::from(octant.rise));
+    let (e, ne) = (octant.east, octant.east + octant.north);
+    // d = F(M) at the first midpoint, and what each choice adds to it: all doubled, so that the ½ is an integer.
+    let mut d = 2 * dy - dx;
+    let (delta_e, delta_ne) = (2 * dy, 2 * (dy - dx));
+    let mut p = a;
+    plot(p);
+    while p != b {
+        // The sign of F says on which side of the line the midpoint M between E and NE lies; on it, take E.
+        if d <= 0 {
+            p += e;
+            d += delta_e;
+        } else {
+            p += ne;
+            d += delta_ne;
+        }
+        plot(p);
+    }
+    work.add(Counter::Additions, dx as u64);
+}
 
 /// The pixels of the segment from `a` to `b`, by integers alone.
 ///
@@ -76,161 +124,30 @@ pub fn segment(a: IVec2, b: IVec2) -> Pixels {
     Pixels::of(&Octant::of(a, b), ())
 }
 
-/// [`segment`], with its work in `count`: an integer addition a move. A jump (`nth`, `last`) is a division
-/// and two multiplications, and `count` nothing at all.
-///
-/// # Examples
-///
-/// ```
-/// use ombra_math::glam::IVec2;
-/// use ombra_math::work::Work;
-/// use ombra_raster::bresenham;
-///
-/// let mut work = Work::default();
-/// bresenham::segment_counted(IVec2::ZERO, IVec2::new(8, 3), &mut work).for_each(|_| {});
-/// assert_eq!(work.to_string(), "8 additions");
-/// ```
-pub fn segment_counted<C: Count>(a: IVec2, b: IVec2, count: &mut C) -> Pixels<&mut C> {
-    Pixels::of(&Octant::of(a, b), count)
-}
+/// The same pixels, with the work of finding them in `work`: an integer addition a move. A jump (`nth`, `last`) is a
+/// division and two multiplications, and `count` nothing at all.
+pub mod counted {
+    use super::{Count, IVec2, Octant, Pixels};
 
-/// The pixels of [`segment`] or [`clipped`], one after another.
-#[derive(Clone, Debug)]
-pub struct Pixels<C = ()> {
-    /// The next pixel.
-    pixel: IVec2,
-    /// −2d at the midpoint after it: a number whose sign bit says NE.
-    negated: i64,
-    /// 2ΔE = 2dy and 2ΔNE = 2dy − 2dx.
-    after_e: i64,
-    after_ne: i64,
-    east: IVec2,
-    north: IVec2,
-    /// How many pixels are still to come.
-    left: u64,
-    count: C,
-}
+    pub use super::clipped::counted as clipped;
 
-impl<C: Count> Pixels<C> {
-    #[inline]
-    fn of(octant: &Octant, count: C) -> Self {
-        let (dx, dy) = (i64::from(octant.run), i64::from(octant.rise));
-        Self {
-            pixel: octant.start,
-            negated: dx - 2 * dy,
-            after_e: 2 * dy,
-            after_ne: 2 * dy - 2 * dx,
-            east: octant.east,
-            north: octant.north,
-            left: u64::from(octant.run) + 1,
-            count,
-        }
-    }
-
-    /// Only the first `pixels` of them, which are no more than there are.
-    pub(crate) fn first(mut self, pixels: u64) -> Self {
-        self.left = pixels;
-        self
-    }
-
-    /// 2d.
-    #[inline]
-    fn decision(&self) -> i64 {
-        -self.negated
-    }
-
-    /// Takes the decision at the midpoint and makes the move.
-    #[inline(always)]
-    fn step(&mut self) {
-        // The sign, spread over all bits, selects what NE adds to E: a jump would be guessed wrong too often.
-        let north = self.negated >> 63;
-        let (e, n) = (self.east, self.north);
-        self.negated += ((self.after_e - self.after_ne) & north) - self.after_e;
-        // No overflow: while a pixel is left, the move ends on a pixel of the segment.
-        self.pixel.x = self.pixel.x.wrapping_add(e.x + (n.x & north as i32));
-        self.pixel.y = self.pixel.y.wrapping_add(e.y + (n.y & north as i32));
-        self.count.add(Counter::Additions, 1);
-    }
-
-    /// Makes `moves` moves at once; fewer than the pixels left.
-    fn skip_moves(&mut self, moves: u64) {
-        if moves == 0 {
-            return;
-        }
-        // After k moves of which s went NE, 2d = D + 2dy k − 2dx s. Every decision lies in (2dy − 2dx, 2dy], an
-        // interval as long as one NE takes away, so s is the only integer that brings it there.
-        let dy2 = i128::from(self.after_e);
-        let dx2 = i128::from(self.after_e - self.after_ne);
-        let all_e = i128::from(self.decision()) + dy2 * i128::from(moves);
-        let north = (all_e - dy2 + dx2 - 1).div_euclid(dx2);
-        self.negated = (dx2 * north - all_e) as i64;
-        // Both counts are below 2³², and positions are exact modulo 2³².
-        let (e, n) = (IVec2::splat(moves as i32), IVec2::splat(north as i32));
-        self.pixel = (self.pixel)
-            .wrapping_add(self.east.wrapping_mul(e))
-            .wrapping_add(self.north.wrapping_mul(n));
-        self.left -= moves;
-        self.count.add(Counter::Multiplications, 2);
-        self.count.add(Counter::Divisions, 1);
+    /// [`segment`](super::segment), counted.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_math::glam::IVec2;
+    /// use ombra_math::work::Work;
+    /// use ombra_raster::bresenham::counted;
+    ///
+    /// let mut work = Work::default();
+    /// counted::segment(IVec2::ZERO, IVec2::new(8, 3), &mut work).for_each(|_| {});
+    /// assert_eq!(work.to_string(), "8 additions");
+    /// ```
+    pub fn segment<C: Count>(a: IVec2, b: IVec2, work: &mut C) -> Pixels<&mut C> {
+        Pixels::of(&Octant::of(a, b), work)
     }
 }
-
-impl<C: Count> Iterator for Pixels<C> {
-    type Item = IVec2;
-
-    #[inline]
-    fn next(&mut self) -> Option<IVec2> {
-        let left = self.left.checked_sub(1)?;
-        let pixel = self.pixel;
-        self.left = left;
-        if left > 0 {
-            self.step();
-        }
-        Some(pixel)
-    }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        usize::try_from(self.left).map_or((usize::MAX, None), |n| (n, Some(n)))
-    }
-
-    fn nth(&mut self, n: usize) -> Option<IVec2> {
-        let n = n as u64;
-        if n >= self.left {
-            self.left = 0;
-            return None;
-        }
-        self.skip_moves(n);
-        self.next()
-    }
-
-    fn last(mut self) -> Option<IVec2> {
-        self.skip_moves(self.left.saturating_sub(1));
-        self.next()
-    }
-
-    fn count(self) -> usize {
-        usize::try_from(self.left).unwrap_or(usize::MAX)
-    }
-
-    #[inline]
-    fn fold<B, F: FnMut(B, IVec2) -> B>(mut self, init: B, mut f: F) -> B {
-        let mut all = init;
-        if self.left > 0 {
-            for _ in 1..self.left {
-                all = f(all, self.pixel);
-                self.step();
-            }
-            all = f(all, self.pixel);
-        }
-        all
-    }
-}
-
-impl<C: Count> FusedIterator for Pixels<C> {}
-
-/// Not on 32-bit machines: the longest segments have 2³² pixels.
-#[cfg(target_pointer_width = "64")]
-impl<C: Count> ExactSizeIterator for Pixels<C> {}
 
 #[cfg(test)]
 mod tests {
@@ -257,11 +174,11 @@ mod tests {
     fn work_is_an_addition_a_move() {
         let mut work = ombra_math::work::Work::default();
         let (a, b) = (IVec2::new(-5, 9), IVec2::new(7, 100));
-        let one_by_one = segment_counted(a, b, &mut work)
+        let one_by_one = counted::segment(a, b, &mut work)
             .map(Some)
             .fold(0, |n, _| n + 1);
         assert_eq!((one_by_one, work.additions), (92, 91));
-        for _ in segment_counted(a, b, &mut work) {}
+        for _ in counted::segment(a, b, &mut work) {}
         assert_eq!((work.additions, work.multiplications), (182, 0));
     }
 }

@@ -8,7 +8,41 @@
 use ombra_math::glam::IVec2;
 use ombra_math::work::{Count, Counter};
 
-use crate::bresenham::Octant;
+use crate::octant::Octant;
+
+/// The slide's loop, a step of it for each pixel that is asked for.
+fn in_f64<C: Count>(a: IVec2, b: IVec2, mut work: C) -> impl Iterator<Item = IVec2> {
+    // Turn and mirror the segment into 0 ≤ m ≤ 1. A single point has no slope; any will do for its one column.
+    let octant = Octant::of(a, b);
+    let (dx, dy) = (f64::from(octant.run.max(1)), f64::from(octant.rise));
+    let m = dy / dx;
+    let mut y = 0.5 - 0.25 / dx;
+    work.add(Counter::Divisions, 2);
+    (0..=octant.run).map(move |x| {
+        // Cut off, y is the nearest pixel's, for the ½ in it; the next one is an addition away.
+        let pixel = octant.pixel(x, y as u32);
+        y += m;
+        work.add(Counter::Additions, 1);
+        work.add(Counter::Roundings, 1);
+        pixel
+    })
+}
+
+/// The same again, every number an `f32`.
+fn in_f32<C: Count>(a: IVec2, b: IVec2, mut work: C) -> impl Iterator<Item = IVec2> {
+    let octant = Octant::of(a, b);
+    let (dx, dy) = (octant.run.max(1) as f32, octant.rise as f32);
+    let m = dy / dx;
+    let mut y = 0.5 - 0.25 / dx;
+    work.add(Counter::Divisions, 2);
+    (0..=octant.run).map(move |x| {
+        let pixel = octant.pixel(x, y as u32);
+        y += m;
+        work.add(Counter::Additions, 1);
+        work.add(Counter::Roundings, 1);
+        pixel
+    })
+}
 
 /// The pixels of the segment from `a` to `b`, each by an addition and a rounding, in `f64`.
 ///
@@ -50,24 +84,7 @@ use crate::bresenham::Octant;
 ///
 /// Grafica 3, «Soluzione analitica».
 pub fn segment(a: IVec2, b: IVec2) -> impl Iterator<Item = IVec2> {
-    in_f64(Octant::of(a, b), ())
-}
-
-/// [`segment`], with its work in `count`: an addition and a rounding a pixel, two divisions a segment.
-///
-/// # Examples
-///
-/// ```
-/// use ombra_math::glam::IVec2;
-/// use ombra_math::work::Work;
-/// use ombra_raster::dda;
-///
-/// let mut work = Work::default();
-/// assert_eq!(dda::segment_counted(IVec2::ZERO, IVec2::new(8, 3), &mut work).count(), 9);
-/// assert_eq!(work.to_string(), "9 additions, 2 divisions, 9 roundings");
-/// ```
-pub fn segment_counted<C: Count>(a: IVec2, b: IVec2, count: &mut C) -> impl Iterator<Item = IVec2> {
-    in_f64(Octant::of(a, b), count)
+    in_f64(a, b, ())
 }
 
 /// [`segment`] in `f32`, which is too short for it: to be looked at, not to be used.
@@ -96,51 +113,34 @@ pub fn segment_counted<C: Count>(a: IVec2, b: IVec2, count: &mut C) -> impl Iter
 ///
 /// Grafica 3, «Soluzione analitica».
 pub fn segment_f32(a: IVec2, b: IVec2) -> impl Iterator<Item = IVec2> {
-    in_f32(Octant::of(a, b), ())
+    in_f32(a, b, ())
 }
 
-/// [`segment_f32`], with its work in `count`, the same as [`segment_counted`]'s.
-pub fn segment_f32_counted<C: Count>(
-    a: IVec2,
-    b: IVec2,
-    count: &mut C,
-) -> impl Iterator<Item = IVec2> {
-    in_f32(Octant::of(a, b), count)
-}
+/// The same pixels, with the work of finding them in `work`: an addition and a rounding a pixel, two divisions a segment.
+pub mod counted {
+    use super::{Count, IVec2, in_f32, in_f64};
 
-fn in_f64<C: Count>(octant: Octant, mut count: C) -> impl Iterator<Item = IVec2> {
-    // A single point has no slope; any will do for its one column.
-    let dx = f64::from(octant.run.max(1));
-    let m = f64::from(octant.rise) / dx;
-    let start = 0.5 - 0.25 / dx;
-    count.add(Counter::Divisions, 2);
-    accumulate(octant, start, move |y| y + m, |y| y as u32, count)
-}
+    /// [`segment`](super::segment), counted.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_math::glam::IVec2;
+    /// use ombra_math::work::Work;
+    /// use ombra_raster::dda::counted;
+    ///
+    /// let mut work = Work::default();
+    /// assert_eq!(counted::segment(IVec2::ZERO, IVec2::new(8, 3), &mut work).count(), 9);
+    /// assert_eq!(work.to_string(), "9 additions, 2 divisions, 9 roundings");
+    /// ```
+    pub fn segment<C: Count>(a: IVec2, b: IVec2, work: &mut C) -> impl Iterator<Item = IVec2> {
+        in_f64(a, b, work)
+    }
 
-fn in_f32<C: Count>(octant: Octant, mut count: C) -> impl Iterator<Item = IVec2> {
-    let dx = octant.run.max(1) as f32;
-    let m = octant.rise as f32 / dx;
-    let start = 0.5 - 0.25 / dx;
-    count.add(Counter::Divisions, 2);
-    accumulate(octant, start, move |y| y + m, |y| y as u32, count)
-}
-
-/// The pixels at 0, 1, …, dx; `floor` of the sum that `add` carries from one to the next.
-fn accumulate<Y: Copy, C: Count>(
-    octant: Octant,
-    start: Y,
-    add: impl Fn(Y) -> Y,
-    floor: impl Fn(Y) -> u32,
-    count: C,
-) -> impl Iterator<Item = IVec2> {
-    let (mut y, mut count) = (start, count);
-    (0..=octant.run).map(move |x| {
-        let pixel = octant.pixel(x, floor(y));
-        y = add(y);
-        count.add(Counter::Additions, 1);
-        count.add(Counter::Roundings, 1);
-        pixel
-    })
+    /// [`segment_f32`](super::segment_f32), counted.
+    pub fn segment_f32<C: Count>(a: IVec2, b: IVec2, work: &mut C) -> impl Iterator<Item = IVec2> {
+        in_f32(a, b, work)
+    }
 }
 
 #[cfg(test)]
@@ -168,8 +168,8 @@ mod tests {
     fn work_is_a_sum_a_pixel() {
         let (a, b) = (IVec2::ZERO, IVec2::new(7, -100));
         let (mut work, mut work_f32) = (Work::default(), Work::default());
-        for _ in segment_counted(a, b, &mut work) {}
-        for _ in segment_f32_counted(a, b, &mut work_f32) {}
+        for _ in counted::segment(a, b, &mut work) {}
+        for _ in counted::segment_f32(a, b, &mut work_f32) {}
         assert_eq!(
             (work.multiplications, work.additions, work.divisions),
             (0, 101, 2)

@@ -17,6 +17,7 @@ pub mod attributes;
 pub mod bresenham;
 pub mod buffers;
 pub mod dda;
+mod octant;
 pub mod polygon;
 pub mod rectangle;
 pub mod span;

@@ -8,11 +8,60 @@
 //! no shape and no area. So one counts positions, not lengths: from column 2 to column 6 there are 5, though
 //! 6 − 2 = 4, and the rectangle from a pixel to itself, which has no area, is that one pixel.
 
-use core::iter::FusedIterator;
+mod fast;
 
 use ombra_math::glam::IVec2;
+use ombra_math::work::{Count, Counter};
 
 use crate::bresenham;
+
+pub use fast::Fill;
+
+/// [`outline`] as the lecture tells it: four segments; `plot` gets the pixels.
+///
+/// # Properties
+///
+/// Equal to [`outline`]. Its work: that of [`bresenham::segment_plain`] for each side.
+///
+/// # References
+///
+/// As [`outline`].
+pub fn outline_plain(min: IVec2, max: IVec2, work: &mut impl Count, mut plot: impl FnMut(IVec2)) {
+    if min.x > max.x || min.y > max.y {
+        return;
+    }
+    // One row or one column is one segment, with both its ends.
+    if min.x == max.x || min.y == max.y {
+        return bresenham::segment_plain(min, max, work, plot);
+    }
+    // Four segments, from corner to corner; each leaves its last pixel to the next.
+    let corners = [min, IVec2::new(max.x, min.y), max, IVec2::new(min.x, max.y)];
+    for (from, to) in corners.into_iter().zip(corners.into_iter().cycle().skip(1)) {
+        bresenham::segment_plain(from, to, work, |p| {
+            if p != to {
+                plot(p);
+            }
+        });
+    }
+}
+
+/// [`fill`] as the lecture tells it: a double loop; `plot` gets the pixels.
+///
+/// # Properties
+///
+/// Equal to [`fill`]. Its work: a fragment a pixel.
+///
+/// # References
+///
+/// As [`fill`].
+pub fn fill_plain(min: IVec2, max: IVec2, work: &mut impl Count, mut plot: impl FnMut(IVec2)) {
+    for y in min.y..=max.y {
+        for x in min.x..=max.x {
+            plot(IVec2::new(x, y));
+            work.add(Counter::Fragments, 1);
+        }
+    }
+}
 
 /// The pixels on the sides of the rectangle from `min` to `max`, each once; nothing where `min` exceeds `max`.
 ///
@@ -45,27 +94,7 @@ use crate::bresenham;
 ///
 /// Grafica 3, «Rasterizzazione di Poligoni».
 pub fn outline(min: IVec2, max: IVec2) -> impl Iterator<Item = IVec2> + Clone {
-    let (right, left) = (IVec2::new(max.x, min.y), IVec2::new(min.x, max.y));
-    let empty = min.x > max.x || min.y > max.y;
-    let line = min.x == max.x || min.y == max.y;
-    // A rectangle of one row or one column is one segment, with both its ends.
-    let sides = if empty {
-        [(0, min, min); 4]
-    } else if line {
-        [(1, min, max), (0, max, max), (0, max, max), (0, max, max)]
-    } else {
-        [
-            (0, min, right),
-            (0, right, max),
-            (0, max, left),
-            (0, left, min),
-        ]
-    };
-    let [top, east, bottom, west] = sides.map(|(ends, from, to)| {
-        let moves = from.x.abs_diff(to.x).max(from.y.abs_diff(to.y));
-        bresenham::segment(from, to).first(u64::from(moves) + ends)
-    });
-    top.chain(east).chain(bottom).chain(west)
+    fast::outline(min, max)
 }
 
 /// The pixels of the rectangle from `min` to `max`, row after row; nothing where `min` exceeds `max`.
@@ -103,99 +132,8 @@ pub fn outline(min: IVec2, max: IVec2) -> impl Iterator<Item = IVec2> + Clone {
 ///
 /// Grafica 3, «Rasterizzazione di Poligoni».
 pub fn fill(min: IVec2, max: IVec2) -> Fill {
-    let empty = min.x > max.x || min.y > max.y;
-    Fill {
-        next: (!empty).then_some(min),
-        start: min.x,
-        max,
-    }
+    Fill::new(min, max)
 }
-
-/// The pixels of [`fill`].
-#[derive(Clone, Debug)]
-pub struct Fill {
-    next: Option<IVec2>,
-    /// The first column.
-    start: i32,
-    max: IVec2,
-}
-
-impl Fill {
-    /// How many pixels are still to come.
-    fn left(&self) -> u128 {
-        self.next.map_or(0, |pixel| {
-            let columns = u128::from(self.start.abs_diff(self.max.x)) + 1;
-            let rows_below = u128::from(pixel.y.abs_diff(self.max.y));
-            rows_below * columns + u128::from(pixel.x.abs_diff(self.max.x)) + 1
-        })
-    }
-}
-
-impl Iterator for Fill {
-    type Item = IVec2;
-
-    #[inline]
-    fn next(&mut self) -> Option<IVec2> {
-        let pixel = self.next?;
-        self.next = if pixel.x < self.max.x {
-            Some(IVec2::new(pixel.x + 1, pixel.y))
-        } else if pixel.y < self.max.y {
-            Some(IVec2::new(self.start, pixel.y + 1))
-        } else {
-            None
-        };
-        Some(pixel)
-    }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        usize::try_from(self.left()).map_or((usize::MAX, None), |n| (n, Some(n)))
-    }
-
-    fn nth(&mut self, n: usize) -> Option<IVec2> {
-        let from = self.next.take()?;
-        // Columns are counted from the left side: n pixels on, whole rows and what is over.
-        let columns = u64::from(self.start.abs_diff(self.max.x)) + 1;
-        let (mut rows, mut column) = (n as u64 / columns, n as u64 % columns);
-        column += u64::from(self.start.abs_diff(from.x));
-        if column >= columns {
-            column -= columns;
-            rows += 1;
-        }
-        if rows > u64::from(from.y.abs_diff(self.max.y)) {
-            return None;
-        }
-        // Both are below 2³² and lead to a pixel of the rectangle.
-        self.next = Some(IVec2::new(
-            self.start.wrapping_add_unsigned(column as u32),
-            from.y.wrapping_add_unsigned(rows as u32),
-        ));
-        self.next()
-    }
-
-    fn last(self) -> Option<IVec2> {
-        self.next.map(|_| self.max)
-    }
-
-    fn count(self) -> usize {
-        usize::try_from(self.left()).unwrap_or(usize::MAX)
-    }
-
-    #[inline]
-    fn fold<B, F: FnMut(B, IVec2) -> B>(self, init: B, mut f: F) -> B {
-        let mut all = init;
-        if let Some(first) = self.next {
-            for y in first.y..=self.max.y {
-                let left = if y == first.y { first.x } else { self.start };
-                for x in left..=self.max.x {
-                    all = f(all, IVec2::new(x, y));
-                }
-            }
-        }
-        all
-    }
-}
-
-impl FusedIterator for Fill {}
 
 #[cfg(test)]
 mod tests;

@@ -2,6 +2,8 @@
 //! the pixel nearer the start.
 
 use ombra_math::glam::IVec2;
+use ombra_math::work::Work;
+use ombra_raster::bresenham::Choice;
 use ombra_raster::{analytic, bresenham, dda};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence::WithSource;
@@ -61,6 +63,13 @@ fn all_short(mut check: impl FnMut(IVec2, IVec2)) {
     }
 }
 
+/// The slide's form, and its work.
+fn plain(a: IVec2, b: IVec2) -> (Vec<IVec2>, Work) {
+    let (mut pixels, mut work) = (Vec::new(), Work::default());
+    bresenham::segment_plain(a, b, &mut work, |p| pixels.push(p));
+    (pixels, work)
+}
+
 fn moves(a: IVec2, b: IVec2) -> u64 {
     u64::from(a.x.abs_diff(b.x).max(a.y.abs_diff(b.y)))
 }
@@ -73,6 +82,7 @@ fn short_segments_are_the_nearest_pixels() {
         for (i, &p) in expected.iter().enumerate() {
             assert_eq!(p, exact(a, b, i as u64), "the two oracles, {a} to {b}");
         }
+        assert_eq!(plain(a, b).0, expected, "the slide's form, {a} to {b}");
         assert!(
             bresenham::segment(a, b).eq(expected.iter().copied()),
             "Bresenham, {a} to {b}"
@@ -232,11 +242,28 @@ proptest! {
                 prop_assert_eq!(i128::from(step.decision), f2);
                 prop_assert_eq!(step.pixel, p);
                 let turned = exact(a, b, i + 1) - p;
-                prop_assert_eq!(step.choice == bresenham::Choice::NE, turned.x != 0 && turned.y != 0);
+                prop_assert_eq!(step.choice == Choice::NE, turned.x != 0 && turned.y != 0);
             }
         }
         prop_assert_eq!(bresenham::segment(a, b).last(), Some(b));
         prop_assert_eq!(bresenham::segment(a, b).count() as u64, n + 1);
+    }
+
+    /// Short pieces anywhere in `i32`: the slide's form, one by one, is the iterator, in pixels, decisions and work.
+    #[test]
+    fn the_slides_form_is_the_fast_one(a in any::<[i32; 2]>(), by in prop::array::uniform2(-300..301_i32), thin in 0..9_u32) {
+        let a = IVec2::from(a);
+        for by in [[by[0], by[1] >> thin], [by[0] >> thin, by[1]], [by[0], by[0]], [by[0], by[0] / 2]] {
+            let b = a.saturating_add(by.into());
+            let (pixels, work) = plain(a, b);
+            let mut counted = Work::default();
+            prop_assert!(bresenham::counted::segment(a, b, &mut counted).eq(pixels.iter().copied()));
+            prop_assert_eq!(work, counted);
+            for (step, pair) in bresenham::trace(a, b).zip(pixels.windows(2)) {
+                let both = pair[0].x != pair[1].x && pair[0].y != pair[1].y;
+                prop_assert_eq!((step.pixel, step.choice == Choice::NE), (pair[0], both));
+            }
+        }
     }
 
     /// One by one, all at once, and the number told beforehand.

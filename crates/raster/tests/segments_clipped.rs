@@ -2,7 +2,7 @@
 
 use ombra_math::glam::{IVec2, Vec2Swizzles};
 use ombra_math::work::Work;
-use ombra_raster::bresenham::{clipped, clipped_counted, segment, trace};
+use ombra_raster::bresenham::{clipped, counted, segment, trace};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence::WithSource;
 
@@ -82,7 +82,7 @@ proptest! {
         candidates.dedup();
 
         let mut work = Work::default();
-        let got: Vec<_> = clipped_counted(a, b, min, max, &mut work).collect();
+        let got: Vec<_> = counted::clipped(a, b, min, max, &mut work).collect();
         prop_assert_eq!(&got, &candidates.iter().map(|c| c.1).collect::<Vec<_>>());
         // An addition a move inside; what is outside costs at most three divisions, four products.
         prop_assert_eq!(work.additions, (got.len() as u64).saturating_sub(1));
@@ -181,7 +181,7 @@ fn extremes() {
         for y in x - 2..=x + 2 {
             let p = IVec2::new(x, y);
             let mut work = Work::default();
-            let found: Vec<_> = clipped_counted(a, b, p, p, &mut work).collect();
+            let found: Vec<_> = counted::clipped(a, b, p, p, &mut work).collect();
             let i = i128::from(x) - i128::from(i32::MIN);
             let expected = if exact(a, b, i) == p { vec![p] } else { vec![] };
             assert_eq!(found, expected, "{p}");

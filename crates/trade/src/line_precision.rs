@@ -74,7 +74,9 @@ fn question(length: u32, segments: &Rc<Segments>) -> Question {
                 k,
                 segments,
                 |s| s.draw(analytic::segment),
-                |s, work| s.draw_with(|a, b, sink| sink.all(analytic::segment_counted(a, b, work))),
+                |s, work| {
+                    s.draw_with(|a, b, sink| sink.all(analytic::counted::segment(a, b, work)))
+                },
                 |s, drawn| s.deviation(drawn, analytic::segment),
             ),
             Case::new(
@@ -82,7 +84,7 @@ fn question(length: u32, segments: &Rc<Segments>) -> Question {
                 k,
                 segments,
                 |s| s.draw(dda::segment),
-                |s, work| s.draw_with(|a, b, sink| sink.all(dda::segment_counted(a, b, work))),
+                |s, work| s.draw_with(|a, b, sink| sink.all(dda::counted::segment(a, b, work))),
                 |s, drawn| s.deviation(drawn, dda::segment),
             ),
             Case::new(
@@ -90,7 +92,7 @@ fn question(length: u32, segments: &Rc<Segments>) -> Question {
                 k,
                 segments,
                 |s| s.draw(dda::segment_f32),
-                |s, work| s.draw_with(|a, b, sink| sink.all(dda::segment_f32_counted(a, b, work))),
+                |s, work| s.draw_with(|a, b, sink| sink.all(dda::counted::segment_f32(a, b, work))),
                 |s, drawn| s.deviation(drawn, dda::segment_f32),
             ),
             Case::new(
@@ -99,7 +101,7 @@ fn question(length: u32, segments: &Rc<Segments>) -> Question {
                 segments,
                 |s| s.draw(bresenham::segment),
                 |s, work| {
-                    s.draw_with(|a, b, sink| sink.all(bresenham::segment_counted(a, b, work)))
+                    s.draw_with(|a, b, sink| sink.all(bresenham::counted::segment(a, b, work)))
                 },
                 |s, drawn| s.deviation(drawn, bresenham::segment),
             ),

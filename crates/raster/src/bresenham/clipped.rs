@@ -3,7 +3,8 @@
 use ombra_math::glam::IVec2;
 use ombra_math::work::{Count, Counter};
 
-use super::{Octant, Pixels};
+use super::Pixels;
+use crate::octant::Octant;
 
 /// The pixels of the segment from `a` to `b` that lie in the window from `min` to `max`, both inclusive; nothing where
 /// `min` exceeds `max`.
@@ -51,43 +52,43 @@ pub fn clipped(a: IVec2, b: IVec2, min: IVec2, max: IVec2) -> Pixels {
     enter(a, b, min, max, ())
 }
 
-/// [`clipped`], with its work in `count`: an addition a move inside the window, and for the entry at most three
-/// divisions and four multiplications.
+/// [`clipped`], counted: for the entry at most three divisions and four multiplications.
 ///
 /// # Examples
 ///
 /// ```
 /// use ombra_math::glam::IVec2;
 /// use ombra_math::work::Work;
-/// use ombra_raster::bresenham;
+/// use ombra_raster::bresenham::counted;
 ///
 /// let mut work = Work::default();
 /// let (a, b) = (IVec2::MIN, IVec2::new(i32::MAX, i32::MAX - 3));
-/// let inside = bresenham::clipped_counted(a, b, IVec2::ZERO, IVec2::splat(9), &mut work);
+/// let inside = counted::clipped(a, b, IVec2::ZERO, IVec2::splat(9), &mut work);
 /// assert_eq!(inside.count(), 8); // about (0, −1.5) → (9, 7.5)
 /// assert_eq!(work.divisions, 3);
 /// ```
-pub fn clipped_counted<C: Count>(
+pub fn counted<C: Count>(
     a: IVec2,
     b: IVec2,
     min: IVec2,
     max: IVec2,
-    count: &mut C,
+    work: &mut C,
 ) -> Pixels<&mut C> {
-    enter(a, b, min, max, count)
+    enter(a, b, min, max, work)
 }
 
 #[inline]
-fn enter<C: Count>(a: IVec2, b: IVec2, min: IVec2, max: IVec2, count: C) -> Pixels<C> {
+fn enter<C: Count>(a: IVec2, b: IVec2, min: IVec2, max: IVec2, work: C) -> Pixels<C> {
     let octant = Octant::of(a, b);
-    let mut pixels = Pixels::of(&octant, count);
-    match columns_inside(&octant, min, max, &mut pixels.count) {
+    let mut pixels = Pixels::of(&octant, work);
+    match columns_inside(&octant, min, max, &mut pixels.work) {
         Some((first, last)) => {
             pixels.skip_moves(first);
-            pixels.first(last - first + 1)
+            pixels.left = last - first + 1;
         }
-        None => pixels.first(0),
+        None => pixels.left = 0,
     }
+    pixels
 }
 
 /// The first and the last column of the octant whose pixel is in the window.
@@ -95,7 +96,7 @@ fn columns_inside(
     octant: &Octant,
     min: IVec2,
     max: IVec2,
-    count: &mut impl Count,
+    work: &mut impl Count,
 ) -> Option<(u64, u64)> {
     let along_x = |step: i32| from_start(octant.start.x, step, min.x, max.x);
     let along_y = |step: i32| from_start(octant.start.y, step, min.y, max.y);
@@ -111,8 +112,8 @@ fn columns_inside(
     let (mut first, mut last) = (left.max(0), right.min(dx));
     // dx (2k ± 1) needs 66 bits. Where a division is due, dy > 0, and the result lies between 0 and dx.
     let mut crossing = |twice_y: i64| {
-        count.add(Counter::Multiplications, 1);
-        count.add(Counter::Divisions, 1);
+        work.add(Counter::Multiplications, 1);
+        work.add(Counter::Divisions, 1);
         (i128::from(dx) * i128::from(twice_y) / i128::from(2 * dy)) as i64
     };
     if bottom > 0 {

@@ -3,6 +3,7 @@ use std::collections::HashSet;
 use proptest::prelude::*;
 
 use super::*;
+use ombra_math::work::Work;
 
 fn grid(pixels: impl Iterator<Item = IVec2>, width: usize, height: usize) -> Vec<String> {
     let mut rows = vec![vec!['.'; width]; height];
@@ -86,6 +87,12 @@ fn every_small_rectangle_has_its_pixels_once() {
             outline(min, max).size_hint(),
             (sides.len(), Some(sides.len()))
         );
+        let (mut plain, mut work) = (vec![], Work::default());
+        outline_plain(min, max, &mut work, |p| plain.push(p));
+        assert_eq!(plain, sides);
+        plain.clear();
+        fill_plain(min, max, &mut work, |p| plain.push(p));
+        assert_eq!((plain.len() as u64, plain), (work.fragments, filled));
     }
 }
 
@@ -134,6 +141,13 @@ fn extremes() {
         let row = || fill(IVec2::new(i32::MIN, i32::MAX), highest);
         assert_eq!(row().nth((1 << 32) - 1), Some(highest));
         assert_eq!((row().nth(1 << 32), row().count()), (None, 1 << 32));
+    }
+    let corner = IVec2::splat(i32::MAX - 1);
+    for (min, max) in [(lowest, lowest + 1), (corner, highest)] {
+        let mut plain = vec![];
+        fill_plain(min, max, &mut (), |p| plain.push(p));
+        outline_plain(min, max, &mut (), |p| plain.push(p));
+        assert!(fill(min, max).chain(outline(min, max)).eq(plain));
     }
     let mut none = fill(highest, lowest);
     assert_eq!((none.nth(1), none.size_hint()), (None, (0, Some(0))));

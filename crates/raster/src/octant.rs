@@ -23,22 +23,17 @@ impl Octant {
         let (dx, dy) = (a.x.abs_diff(b.x), a.y.abs_diff(b.y));
         let along_x = IVec2::new(if a.x <= b.x { 1 } else { -1 }, 0);
         let along_y = IVec2::new(0, if a.y <= b.y { 1 } else { -1 });
-        if dx >= dy {
-            Self {
-                start: a,
-                run: dx,
-                rise: dy,
-                east: along_x,
-                north: along_y,
-            }
+        let (run, rise, east, north) = if dx >= dy {
+            (dx, dy, along_x, along_y)
         } else {
-            Self {
-                start: a,
-                run: dy,
-                rise: dx,
-                east: along_y,
-                north: along_x,
-            }
+            (dy, dx, along_y, along_x)
+        };
+        Self {
+            start: a,
+            run,
+            rise,
+            east,
+            north,
         }
     }
 
