@@ -163,10 +163,11 @@ proptest! {
                 prop_assert!(finite);
                 let spans: Vec<Span> = spans.collect();
                 prop_assert!(spans.iter().all(|s| s.y < h && s.x.start < s.x.end && s.x.end <= w), "{:?}", spans);
-                let plain = polygon::fill_plain(&contours, rule, w, h).map(|plain| plain.collect::<Vec<_>>());
-                prop_assert_eq!(plain, Ok(spans.clone()));
+                let mut plain = Vec::new();
+                polygon::fill_plain(&contours, rule, w, h, &mut (), |span| plain.push(span)).unwrap();
+                prop_assert_eq!(&plain, &spans);
                 let mut work = Work::default();
-                let counted = polygon::fill_counted(&contours, rule, w, h, &mut work).map(|s| s.collect::<Vec<_>>());
+                let counted = polygon::counted::fill(&contours, rule, w, h, &mut work).map(|s| s.collect::<Vec<_>>());
                 prop_assert_eq!(counted, Ok(spans));
             }
             Err(why) => prop_assert!(!finite && !why.to_string().is_empty()),
@@ -220,9 +221,9 @@ proptest! {
         match cover {
             Ok(spans) => {
                 prop_assert!(spans.iter().all(|s| s.y < h && s.x.start < s.x.end && s.x.end <= w), "{:?}", spans);
-                let pixels = |spans: &[Span]| spans.iter().flat_map(Span::pixels).collect::<Vec<_>>();
-                let plain = triangle::cover_plain(t, w, h).map(|spans| pixels(&spans.collect::<Vec<_>>()));
-                prop_assert_eq!(plain, Ok(pixels(&spans)));
+                let mut plain = Vec::new();
+                triangle::cover_plain(t, EdgeRule::TopLeft, w, h, &mut (), |p| plain.push(p)).unwrap();
+                prop_assert!(spans.iter().flat_map(Span::pixels).eq(plain));
                 for span in &spans {
                     if let Some(weights) = attributes::along(t, span) {
                         prop_assert_eq!(weights.count(), span.len() as usize);
@@ -232,7 +233,7 @@ proptest! {
             Err(why) => prop_assert!(!why.to_string().is_empty()),
         }
         for rule in [EdgeRule::TopLeft, EdgeRule::Closed, EdgeRule::Open] {
-            prop_assert_eq!(triangle::cover_by(t, rule, w, h).map(|spans| spans.count()).is_ok(), finite);
+            prop_assert_eq!(triangle::cover_plain(t, rule, w, h, &mut (), drop).is_ok(), finite);
             prop_assert!(!triangle::contains(t, p, rule) || (finite && p.is_finite()));
         }
         for (width, height) in [(width, h), (w, 1000), (u32::MAX, 1000)] {

@@ -12,6 +12,7 @@ use ombra_oracle::Exact;
 use ombra_raster::bresenham::Choice::{E, NE};
 use ombra_raster::polygon::FillRule;
 use ombra_raster::span::Span;
+use ombra_raster::triangle::EdgeRule;
 use ombra_raster::{analytic, bresenham, dda, polygon, rectangle, triangle};
 use ombra_tests::cases::Random;
 use ombra_tests::clipping::{doubled_area, of_segment};
@@ -331,16 +332,18 @@ fn triangles_have_the_pixels_of_the_definition() {
             expected,
             "{t:?}"
         );
-        assert_eq!(
-            grid(triangle::cover_plain(t, width, height).unwrap()),
-            expected,
-            "{t:?}"
-        );
+        let mut plain = Vec::new();
+        triangle::cover_plain(t, EdgeRule::TopLeft, width, height, &mut (), |p| {
+            plain.push(p.to_array());
+        })
+        .unwrap();
+        assert_eq!(plain, expected, "{t:?}");
         for rule in [FillRule::EvenOdd, FillRule::NonZero] {
             let fill = polygon::fill(&contour, rule, width, height).unwrap();
             assert_eq!(grid(fill), expected, "{rule:?} {t:?}");
-            let plain = polygon::fill_plain(&contour, rule, width, height).unwrap();
-            assert_eq!(grid(plain), expected, "{rule:?} {t:?}");
+            let mut plain = Vec::new();
+            polygon::fill_plain(&contour, rule, width, height, &mut (), |s| plain.push(s)).unwrap();
+            assert_eq!(grid(plain.into_iter()), expected, "{rule:?} {t:?}");
         }
         owned += expected.len();
         empty += usize::from(expected.is_empty());

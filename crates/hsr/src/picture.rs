@@ -16,7 +16,7 @@ use ombra_math::mesh::{Mesh, MeshError};
 use ombra_math::work::Count;
 use ombra_raster::buffers::image::{ImageBuffer, Luma};
 use ombra_raster::buffers::{self, BufferError};
-use ombra_raster::polygon::{FillRule, PolygonError, fill_counted};
+use ombra_raster::polygon::{self, FillRule, PolygonError};
 
 use crate::polygon::Polygon;
 
@@ -150,7 +150,7 @@ pub fn paint<'a>(
     paint_counted(parts, camera, &mut ())
 }
 
-/// [`paint`], counting what [`fill_counted`] counts: vertices after clipping, edge records, fragments.
+/// [`paint`], counting what [`polygon::counted::fill`] counts: vertices after clipping, edge records, fragments.
 ///
 /// # Errors
 ///
@@ -165,7 +165,7 @@ pub fn paint_counted<'a>(
     for (id, polygon) in parts {
         let outline = projected(polygon, camera);
         let number = number(id)?;
-        let spans = fill_counted(&[outline], FillRule::NonZero, width, height, &mut *work)
+        let spans = polygon::counted::fill(&[outline], FillRule::NonZero, width, height, work)
             .map_err(|PolygonError::NotFinite { .. }| PictureError::TooFar { id })?;
         buffers::paint(&mut picture, spans, Luma([number]))?;
     }

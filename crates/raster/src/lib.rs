@@ -17,10 +17,12 @@ pub mod attributes;
 pub mod bresenham;
 pub mod buffers;
 pub mod dda;
+mod edge;
 mod octant;
 pub mod polygon;
 pub mod rectangle;
 pub mod span;
+mod step;
 pub mod triangle;
 
 pub use span::Span;

@@ -25,32 +25,24 @@
 //! # Plain and fast
 //!
 //! [`fill_plain`] is the method as it is told, and its steps can be looked at: [`edge_table`], then for each row
-//! [`active_edges`] and [`spans_between`]. [`fill`] gives the same spans. It follows each edge from row to row in
+//! [`active_edges`] and [`spans_between`]. [`fill`] gives the same spans: it follows each edge from row to row in
 //! rounded arithmetic, and asks the exact predicate only where a crossing comes so near a centre that rounding could
-//! move it past. Between two edges lies one run, and the crossings of a few are sorted. Many edges stand in the order of
-//! their crossings and take their steps side by side; where some cross, so that a row's columns come out of order, they
-//! are marked in a table of one bit a column and read off from left to right, or sorted where that would be more.
+//! move it past.
 
-mod active;
-mod edge;
-mod found;
-mod marks;
-mod row;
-mod scan;
-pub(crate) mod step;
+mod error;
+mod fast;
 
-use core::fmt;
 use core::ops::Range;
 
 use ombra_math::glam::{DVec2, IVec2};
 use ombra_math::work::{Count, Counter};
 
 use crate::bresenham;
+use crate::edge::first_centre;
 use crate::span::Span;
 
-pub use edge::Edge;
-use edge::for_each_edge;
-use scan::Scan;
+pub use crate::edge::Edge;
+pub use error::PolygonError;
 
 /// Which points are inside contours that cross each other or lie in one another.
 ///
@@ -84,182 +76,14 @@ impl FillRule {
     }
 }
 
-/// Why contours cannot be filled.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PolygonError {
-    /// A coordinate is NaN or infinite.
-    NotFinite {
-        /// Index of the contour.
-        contour: usize,
-        /// Index of the vertex in it.
-        vertex: usize,
-        /// The vertex.
-        point: DVec2,
-    },
-}
-
-impl fmt::Display for PolygonError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self::NotFinite {
-            contour,
-            vertex,
-            point: DVec2 { x, y },
-        } = self;
-        write!(
-            f,
-            "vertex {vertex} of contour {contour} is ({x}, {y}): both coordinates must be finite"
-        )
-    }
-}
-
-impl core::error::Error for PolygonError {}
-
-/// The pixels of a polygon's outline, edge by edge, the last vertex joined to the first.
-///
-/// # Properties
-///
-/// Each edge is [`bresenham::segment`] without its last pixel, which is the first of the next edge: no
-/// vertex comes twice in a row. Vertices are the pixels themselves, not corners between them. One vertex, or
-/// several equal ones, are one pixel; none, no pixel.
-///
-/// # Pitfalls
-///
-/// Edges that cross or run back share pixels: the outline as a list may hold a pixel several times. It is not
-/// the border of [`fill`], whose vertices are points of the plane: pixel (x, y) has its centre at (x + ½, y + ½).
-///
-/// # Examples
-///
-/// ```
-/// use ombra_math::glam::IVec2;
-/// use ombra_raster::polygon::outline;
-///
-/// let triangle = [IVec2::new(0, 0), IVec2::new(2, 0), IVec2::new(0, 2)];
-/// let pixels: Vec<_> = outline(&triangle).map(|p| (p.x, p.y)).collect();
-/// assert_eq!(pixels, [(0, 0), (1, 0), (2, 0), (1, 1), (0, 2), (0, 1)]);
-/// ```
-///
-/// # References
-///
-/// Grafica 3, «Rasterizzazione di Poligoni»: a primitive given by its contour alone, drawn segment by segment.
-pub fn outline(vertices: &[IVec2]) -> impl Iterator<Item = IVec2> {
-    let point = vertices
-        .first()
-        .filter(|&first| vertices.iter().all(|vertex| vertex == first))
-        .copied();
-    let ends = vertices.iter().cycle().skip(1);
-    let edges = vertices.iter().zip(ends).flat_map(|(&a, &b)| {
-        let length = a.x.abs_diff(b.x).max(a.y.abs_diff(b.y));
-        bresenham::segment(a, b).take(length as usize)
-    });
-    point.into_iter().chain(edges)
-}
-
-/// The pixels inside `contours`, as spans from the top row to the bottom, left to right, in a picture of
-/// `width` × `height` pixels.
-///
-/// # Formula
-///
-/// ```text
-/// pixel (i, j) is in  ⇔  its centre (i + ½, j + ½) is inside by `rule`
-/// ```
-///
-/// # Properties
-///
-/// Exact for all finite vertices, however far away; centres on an edge as the [module](self) says. A contour is
-/// closed from its last vertex to its first; it may be concave, cross itself and others, repeat vertices. The
-/// spans of a row do not touch, so each is as long as it can be. Equal to [`fill_plain`].
-///
-/// Lazy: memory for the edges, in proportion to their number and not to the picture. Time for the edges, their crossings
-/// inside the picture, put in order row by row, and the spans; none for empty rows.
-///
-/// # Pitfalls
-///
-/// A hole needs the opposite direction under [`FillRule::NonZero`]; under [`FillRule::EvenOdd`] any will do.
-/// A polygon so thin that it passes between the centres has no pixels.
-///
-/// # Errors
-///
-/// The first vertex that is not finite.
-///
-/// # Examples
-///
-/// A five-pointed star drawn in one stroke, whose middle is wound round twice:
-///
-/// ```
-/// use ombra_math::glam::DVec2;
-/// use ombra_raster::polygon::{FillRule, fill};
-///
-/// let star = [(6.0, 0.0), (9.5, 11.0), (0.0, 4.2), (12.0, 4.2), (2.5, 11.0)];
-/// let contours = [star.map(DVec2::from).to_vec()];
-/// let picture = |rule| {
-///     let mut rows = vec![vec!['.'; 12]; 11];
-///     for span in fill(&contours, rule, 12, 11).unwrap() {
-///         rows[span.y as usize][span.x.start as usize..span.x.end as usize].fill('#');
-///     }
-///     rows.into_iter().map(String::from_iter).collect::<Vec<_>>()
-/// };
-/// assert_eq!(picture(FillRule::EvenOdd)[6], "...#....#...");
-/// assert_eq!(picture(FillRule::NonZero)[6], "...######...");
-/// ```
-///
-/// # References
-///
-/// Grafica 3, «Rasterizzazione di Poligoni»: convex, concave, self-intersecting, several contours. The method is
-/// in no deck: C. Wylie, G. Romney, D. Evans, A. Erdahl, «Half-tone perspective drawings by computer», 1967.
-pub fn fill(
-    contours: &[Vec<DVec2>],
-    rule: FillRule,
-    width: u32,
-    height: u32,
-) -> Result<impl Iterator<Item = Span> + use<>, PolygonError> {
-    fill_counted(contours, rule, width, height, ())
-}
-
-/// [`fill`], counting its work: vertices read, edge records (one when an edge enters the table, one for each row
-/// in which it is active), fragments, and crossings that only exact arithmetic could settle.
-///
-/// # Errors
-///
-/// As [`fill`].
-///
-/// # Examples
-///
-/// ```
-/// use ombra_math::glam::DVec2;
-/// use ombra_math::work::Work;
-/// use ombra_raster::polygon::{FillRule, fill_counted};
-///
-/// let tower = [(1.0, -1e9), (3.0, -1e9), (3.0, 1e9), (1.0, 1e9)];
-/// let mut work = Work::default();
-/// let contours = [tower.map(DVec2::from).to_vec()];
-/// let spans = fill_counted(&contours, FillRule::NonZero, 100, 100, &mut work).unwrap().count();
-/// assert_eq!(spans, 100);
-/// assert_eq!((work.fragments, work.edge_records), (200, 2 + 2 * 100));
-/// ```
-pub fn fill_counted<C: Count>(
-    contours: &[Vec<DVec2>],
-    rule: FillRule,
-    width: u32,
-    height: u32,
-    mut work: C,
-) -> Result<impl Iterator<Item = Span> + use<C>, PolygonError> {
-    let vertices: usize = contours.iter().map(Vec::len).sum();
-    work.add(Counter::Vertices, vertices as u64);
-    let mut scan = Scan::new(vertices, rule, width, work);
-    for_each_edge(contours, if width == 0 { 0 } else { height }, |edge| {
-        scan.add(edge);
-    })?;
-    scan.sort();
-    Ok(scan)
-}
-
 /// [`fill`] as the lecture tells it: for each scan line the active edges, sorted by their crossings, and the
-/// spans between them.
+/// spans between them; `plot` gets the spans.
 ///
 /// # Properties
 ///
 /// Every column comes from the exact predicate alone. Looks at all edges in every row, and sorts anew: the
-/// oracle of [`fill`], not its rival.
+/// oracle of [`fill`], not its rival. Its work: vertices read, edge records (one when an edge enters the table, one for
+/// each row in which it is active), fragments.
 ///
 /// # Errors
 ///
@@ -273,16 +97,30 @@ pub fn fill_plain(
     rule: FillRule,
     width: u32,
     height: u32,
-) -> Result<impl Iterator<Item = Span> + use<>, PolygonError> {
-    let table = edge_table(contours, if width == 0 { 0 } else { height })?;
-    let start = table.first().map_or(0, |edge| edge.rows.start);
+    work: &mut impl Count,
+    mut plot: impl FnMut(Span),
+) -> Result<(), PolygonError> {
+    // The edge table: all edges, by the first scan line that each crosses.
+    let table = edge_table(contours, height)?;
+    work.add(
+        Counter::Vertices,
+        contours.iter().map(|c| c.len() as u64).sum(),
+    );
+    work.add(Counter::EdgeRecords, table.len() as u64);
+    let first = table.first().map_or(0, |edge| edge.rows.start);
     let end = table.iter().map(|edge| edge.rows.end).max().unwrap_or(0);
-    Ok((start..end).flat_map(move |y| {
-        let crossings = active_edges(&table, y, width);
-        spans_between(&crossings, rule, width)
-            .into_iter()
-            .map(move |x| Span { y, x })
-    }))
+    for y in first..end {
+        // The active edges: those that cross the scan line, from left to right.
+        let active = active_edges(&table, y, width);
+        work.add(Counter::EdgeRecords, active.len() as u64);
+        // Between two crossings all centres are inside, or none is.
+        for x in spans_between(&active, rule, width) {
+            let span = Span { y, x };
+            work.add(Counter::Fragments, u64::from(span.len()));
+            plot(span);
+        }
+    }
+    Ok(())
 }
 
 /// The edge table: the edges that cross a row of centres of a picture of `height` rows, by their first row.
@@ -387,6 +225,171 @@ pub fn spans_between(crossings: &[Crossing], rule: FillRule, width: u32) -> Vec<
         }
     }
     spans
+}
+
+/// The pixels inside `contours`, as spans from the top row to the bottom, left to right, in a picture of
+/// `width` × `height` pixels.
+///
+/// # Formula
+///
+/// ```text
+/// pixel (i, j) is in  ⇔  its centre (i + ½, j + ½) is inside by `rule`
+/// ```
+///
+/// # Properties
+///
+/// Exact for all finite vertices, however far away; centres on an edge as the [module](self) says. A contour is
+/// closed from its last vertex to its first; it may be concave, cross itself and others, repeat vertices. The
+/// spans of a row do not touch, so each is as long as it can be. Equal to [`fill_plain`].
+///
+/// Lazy: memory for the edges, in proportion to their number and not to the picture. Time for the edges, their crossings
+/// inside the picture, put in order row by row, and the spans; none for empty rows.
+///
+/// # Pitfalls
+///
+/// A hole needs the opposite direction under [`FillRule::NonZero`]; under [`FillRule::EvenOdd`] any will do.
+/// A polygon so thin that it passes between the centres has no pixels.
+///
+/// # Errors
+///
+/// The first vertex that is not finite.
+///
+/// # Examples
+///
+/// A five-pointed star drawn in one stroke, whose middle is wound round twice:
+///
+/// ```
+/// use ombra_math::glam::DVec2;
+/// use ombra_raster::polygon::{FillRule, fill};
+///
+/// let star = [(6.0, 0.0), (9.5, 11.0), (0.0, 4.2), (12.0, 4.2), (2.5, 11.0)];
+/// let contours = [star.map(DVec2::from).to_vec()];
+/// let picture = |rule| {
+///     let mut rows = vec![vec!['.'; 12]; 11];
+///     for span in fill(&contours, rule, 12, 11).unwrap() {
+///         rows[span.y as usize][span.x.start as usize..span.x.end as usize].fill('#');
+///     }
+///     rows.into_iter().map(String::from_iter).collect::<Vec<_>>()
+/// };
+/// assert_eq!(picture(FillRule::EvenOdd)[6], "...#....#...");
+/// assert_eq!(picture(FillRule::NonZero)[6], "...######...");
+/// ```
+///
+/// # References
+///
+/// Grafica 3, «Rasterizzazione di Poligoni»: convex, concave, self-intersecting, several contours. The method is
+/// in no deck: C. Wylie, G. Romney, D. Evans, A. Erdahl, «Half-tone perspective drawings by computer», 1967.
+pub fn fill(
+    contours: &[Vec<DVec2>],
+    rule: FillRule,
+    width: u32,
+    height: u32,
+) -> Result<impl Iterator<Item = Span> + use<>, PolygonError> {
+    fast::fill(contours, rule, width, height, ())
+}
+
+/// The same spans, with the work of finding them in `work`: vertices read, edge records (one when an edge enters the
+/// table, one for each row in which it is active), fragments, and crossings that only exact arithmetic could settle.
+pub mod counted {
+    use super::{Count, DVec2, FillRule, PolygonError, Span, fast};
+
+    /// [`fill`](super::fill), counted.
+    ///
+    /// # Errors
+    ///
+    /// As [`fill`](super::fill).
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_math::glam::DVec2;
+    /// use ombra_math::work::Work;
+    /// use ombra_raster::polygon::{FillRule, counted};
+    ///
+    /// let tower = [(1.0, -1e9), (3.0, -1e9), (3.0, 1e9), (1.0, 1e9)];
+    /// let mut work = Work::default();
+    /// let contours = [tower.map(DVec2::from).to_vec()];
+    /// let spans = counted::fill(&contours, FillRule::NonZero, 100, 100, &mut work).unwrap().count();
+    /// assert_eq!(spans, 100);
+    /// assert_eq!((work.fragments, work.edge_records), (200, 2 + 2 * 100));
+    /// ```
+    pub fn fill<'a, C: Count>(
+        contours: &[Vec<DVec2>],
+        rule: FillRule,
+        width: u32,
+        height: u32,
+        work: &'a mut C,
+    ) -> Result<impl Iterator<Item = Span> + use<'a, C>, PolygonError> {
+        fast::fill(contours, rule, width, height, work)
+    }
+}
+
+/// The pixels of a polygon's outline, edge by edge, the last vertex joined to the first.
+///
+/// # Properties
+///
+/// Each edge is [`bresenham::segment`] without its last pixel, which is the first of the next edge: no
+/// vertex comes twice in a row. Vertices are the pixels themselves, not corners between them. One vertex, or
+/// several equal ones, are one pixel; none, no pixel.
+///
+/// # Pitfalls
+///
+/// Edges that cross or run back share pixels: the outline as a list may hold a pixel several times. It is not
+/// the border of [`fill`], whose vertices are points of the plane: pixel (x, y) has its centre at (x + ½, y + ½).
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::IVec2;
+/// use ombra_raster::polygon::outline;
+///
+/// let triangle = [IVec2::new(0, 0), IVec2::new(2, 0), IVec2::new(0, 2)];
+/// let pixels: Vec<_> = outline(&triangle).map(|p| (p.x, p.y)).collect();
+/// assert_eq!(pixels, [(0, 0), (1, 0), (2, 0), (1, 1), (0, 2), (0, 1)]);
+/// ```
+///
+/// # References
+///
+/// Grafica 3, «Rasterizzazione di Poligoni»: a primitive given by its contour alone, drawn segment by segment.
+pub fn outline(vertices: &[IVec2]) -> impl Iterator<Item = IVec2> {
+    let point = vertices
+        .first()
+        .filter(|&first| vertices.iter().all(|vertex| vertex == first))
+        .copied();
+    let ends = vertices.iter().cycle().skip(1);
+    let edges = vertices.iter().zip(ends);
+    let edges = edges.flat_map(|(&a, &b)| bresenham::segment(a, b).but_last(1));
+    point.into_iter().chain(edges)
+}
+
+/// Takes the edges of all contours that cross a row, in the order of the contours.
+pub(super) fn for_each_edge(
+    contours: &[Vec<DVec2>],
+    height: u32,
+    mut take: impl FnMut(Edge),
+) -> Result<(), PolygonError> {
+    for (contour, vertices) in contours.iter().enumerate() {
+        let mut points = (0..).zip(vertices);
+        if let Some((vertex, &point)) = points.find(|(_, point)| !point.is_finite()) {
+            return Err(PolygonError::NotFinite {
+                contour,
+                vertex,
+                point,
+            });
+        }
+        let Some(&last) = vertices.last() else {
+            continue;
+        };
+        let (mut from, mut from_row) = (last, first_centre(last.y, height));
+        for &point in vertices {
+            let row = first_centre(point.y, height);
+            if let Some(edge) = Edge::between(from, point, [from_row, row]) {
+                take(edge);
+            }
+            (from, from_row) = (point, row);
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

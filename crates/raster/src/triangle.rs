@@ -10,43 +10,18 @@
 //! gives the same pixels without looking at those outside: a triangle is convex, so in each row they are one run,
 //! between the two sides that cross it.
 
-use core::cmp::Ordering;
-use core::fmt;
+mod error;
+mod fast;
 
-use ombra_math::glam::DVec2;
+use core::cmp::Ordering;
+
+use ombra_math::glam::{DVec2, UVec2};
 use ombra_math::predicates::orient_2d;
 use ombra_math::work::{Count, Counter};
 
-use crate::polygon::Edge;
-use crate::polygon::step::{Steps, hull};
 use crate::span::Span;
 
-/// Why a triangle is not covered with pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum TriangleError {
-    /// A coordinate is NaN or infinite.
-    NotFinite {
-        /// Index of the vertex.
-        vertex: usize,
-        /// The vertex.
-        point: DVec2,
-    },
-}
-
-impl fmt::Display for TriangleError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self::NotFinite {
-            vertex,
-            point: DVec2 { x, y },
-        } = self;
-        write!(
-            f,
-            "vertex {vertex} of the triangle is ({x}, {y}): both coordinates must be finite"
-        )
-    }
-}
-
-impl core::error::Error for TriangleError {}
+pub use error::TriangleError;
 
 /// What becomes of a centre that lies exactly on an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -59,62 +34,42 @@ pub enum EdgeRule {
     Open,
 }
 
-/// The edge function of A → B at P: twice the area of the triangle A B P, rounded.
-///
-/// # Formula
-///
-/// ```text
-/// E(P) = (b.x − a.x)(p.y − a.y) − (b.y − a.y)(p.x − a.x)
-/// ```
+/// [`cover`] as the lecture's hardware does it: the edge functions at every centre of the picture; `plot` gets the
+/// pixels, row after row.
 ///
 /// # Properties
 ///
-/// 0 on the line, positive on one side and negative on the other; with y down, positive to the right of who walks
-/// from A to B. Linear in P: a step in x adds a.y − b.y, a step in y adds b.x − a.x.
+/// By [`EdgeRule::TopLeft`] equal to [`cover`]; the other rules show the gaps and the overlaps. Its work: vertices read,
+/// fragments.
 ///
-/// # Pitfalls
+/// # Errors
 ///
-/// Beside the line its sign is rounding error. What decides is
-/// [`orient_2d`], the exact sign of the same expression.
-///
-/// # Examples
-///
-/// ```
-/// use ombra_math::glam::DVec2;
-/// use ombra_raster::triangle::edge_function;
-///
-/// let (a, b) = (DVec2::ZERO, DVec2::new(4.0, 0.0));
-/// assert_eq!(edge_function(a, b, DVec2::new(1.0, 2.0)), 8.0);
-/// ```
+/// As [`cover`].
 ///
 /// # References
 ///
-/// Grafica 3, «Algoritmo di Bresenham»: F(x, y), the same implicit line. J. Pineda, «A parallel algorithm for
-/// polygon rasterization», 1988.
-#[must_use]
-pub fn edge_function(a: DVec2, b: DVec2, p: DVec2) -> f64 {
-    (b - a).perp_dot(p - a)
-}
-
-/// Whether A → B is a top or a left edge of a triangle that lies where its edge function is positive.
-///
-/// # Formula
-///
-/// ```text
-/// top:   b.y = a.y and b.x > a.x          the triangle below it (y down)
-/// left:  b.y < a.y                        the triangle to its right
-/// ```
-///
-/// # Pitfalls
-///
-/// A lower horizontal edge is neither. With y up, top and bottom change places.
-///
-/// # References
-///
-/// In no deck; the rule of graphics hardware.
-#[must_use]
-pub fn is_top_left(a: DVec2, b: DVec2) -> bool {
-    b.y < a.y || (b.y == a.y && b.x > a.x)
+/// As [`contains`].
+pub fn cover_plain(
+    triangle: [DVec2; 3],
+    rule: EdgeRule,
+    width: u32,
+    height: u32,
+    work: &mut impl Count,
+    mut plot: impl FnMut(UVec2),
+) -> Result<(), TriangleError> {
+    error::check(triangle)?;
+    work.add(Counter::Vertices, 3);
+    for y in 0..height {
+        for x in 0..width {
+            // A pixel is in when its centre is on the inner side of all three edges, or on an edge that owns it.
+            let centre = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            if contains(triangle, centre, rule) {
+                work.add(Counter::Fragments, 1);
+                plot(UVec2::new(x, y));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Whether `p` is in the triangle, with edges by `rule`; exact, in either winding.
@@ -170,6 +125,66 @@ pub fn contains(triangle: [DVec2; 3], p: DVec2, rule: EdgeRule) -> bool {
         })
 }
 
+/// The edge function of A → B at P: twice the area of the triangle A B P, rounded.
+///
+/// # Formula
+///
+/// ```text
+/// E(P) = (b.x − a.x)(p.y − a.y) − (b.y − a.y)(p.x − a.x)
+/// ```
+///
+/// # Properties
+///
+/// 0 on the line, positive on one side and negative on the other; with y down, positive to the right of who walks
+/// from A to B. Linear in P: a step in x adds a.y − b.y, a step in y adds b.x − a.x.
+///
+/// - Error: at most 2.01 ε (|(b.x − a.x)(p.y − a.y)| + |(b.y − a.y)(p.x − a.x)|), short of underflow and overflow.
+///
+/// # Pitfalls
+///
+/// Beside the line its sign is rounding error. What decides is
+/// [`orient_2d`], the exact sign of the same expression.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_math::glam::DVec2;
+/// use ombra_raster::triangle::edge_function;
+///
+/// let (a, b) = (DVec2::ZERO, DVec2::new(4.0, 0.0));
+/// assert_eq!(edge_function(a, b, DVec2::new(1.0, 2.0)), 8.0);
+/// ```
+///
+/// # References
+///
+/// Grafica 3, «Algoritmo di Bresenham»: F(x, y), the same implicit line. J. Pineda, «A parallel algorithm for
+/// polygon rasterization», 1988.
+#[must_use]
+pub fn edge_function(a: DVec2, b: DVec2, p: DVec2) -> f64 {
+    (b - a).perp_dot(p - a)
+}
+
+/// Whether A → B is a top or a left edge of a triangle that lies where its edge function is positive.
+///
+/// # Formula
+///
+/// ```text
+/// top:   b.y = a.y and b.x > a.x          the triangle below it (y down)
+/// left:  b.y < a.y                        the triangle to its right
+/// ```
+///
+/// # Pitfalls
+///
+/// A lower horizontal edge is neither. With y up, top and bottom change places.
+///
+/// # References
+///
+/// In no deck; the rule of graphics hardware.
+#[must_use]
+pub fn is_top_left(a: DVec2, b: DVec2) -> bool {
+    b.y < a.y || (b.y == a.y && b.x > a.x)
+}
+
 /// The pixels whose centres are in the triangle, as spans from the top row to the bottom, one a row at most, in a
 /// picture of `width` × `height` pixels.
 ///
@@ -218,134 +233,46 @@ pub fn cover(
     width: u32,
     height: u32,
 ) -> Result<impl Iterator<Item = Span> + use<>, TriangleError> {
-    cover_counted(triangle, width, height, ())
+    fast::cover(triangle, width, height, ())
 }
 
-/// [`cover`], counting its work as [`fill_counted`](crate::polygon::fill_counted) does: vertices read, edge records
-/// (one for each side that crosses a row, two for each row), fragments, and crossings that only exact arithmetic
-/// could settle.
-///
-/// # Properties
-///
-/// Counted as the spans are asked for: of a row that nobody asks for, nothing.
-///
-/// # Errors
-///
-/// As [`cover`].
-///
-/// # Examples
-///
-/// The slanted side of this triangle runs through a centre in each of its 4 rows:
-///
-/// ```
-/// use ombra_math::glam::DVec2;
-/// use ombra_math::work::Work;
-/// use ombra_raster::triangle::cover_counted;
-///
-/// let triangle = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(DVec2::from);
-/// let mut work = Work::default();
-/// let spans = cover_counted(triangle, 8, 8, &mut work).unwrap().count();
-/// assert_eq!(spans, 3);
-/// assert_eq!(
-///     work.to_string(),
-///     "6 fragments, 3 vertices, 10 edge records, 4 exact fallbacks"
-/// );
-/// ```
-pub fn cover_counted<C: Count>(
-    triangle: [DVec2; 3],
-    width: u32,
-    height: u32,
-    mut work: C,
-) -> Result<impl Iterator<Item = Span> + use<C>, TriangleError> {
-    check(triangle)?;
-    work.add(Counter::Vertices, 3);
-    let [a, b, c] = triangle;
-    let height = if width == 0 { 0 } else { height };
-    // Every row that one side crosses, exactly one other crosses too.
-    let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| {
-        Edge::new(from, to, height).map(|edge| {
-            work.add(Counter::EdgeRecords, 1);
-            let steps = Steps::new(&edge, width);
-            (edge, steps)
-        })
-    });
-    // Pixels are left of one side and right of another.
-    let [mut not_left, mut not_right] = [0..0, 0..0];
-    for (edge, steps) in sides.iter().flatten() {
-        let [left, right] = steps.beside(edge);
-        (not_left, not_right) = (hull(&not_left, &left), hull(&not_right, &right));
-    }
-    let rows = not_left.start.max(not_right.start)..not_left.end.min(not_right.end);
-    Ok(rows.filter_map(move |y| {
-        let mut columns = sides
-            .iter()
-            .flatten()
-            .filter(|(edge, _)| edge.rows.contains(&y))
-            .map(|(edge, steps)| {
-                work.add(Counter::EdgeRecords, 1);
-                steps.column(edge, y, width, &mut work)
-            });
-        let (first, second) = (columns.next()?, columns.next()?);
-        let span = Span {
-            y,
-            x: first.min(second)..first.max(second),
-        };
-        work.add(Counter::Fragments, u64::from(span.len()));
-        (!span.is_empty()).then_some(span)
-    }))
-}
+/// The same spans, with the work of finding them in `work`: as [`polygon::counted`](crate::polygon::counted) vertices
+/// read, edge records (one for each side that crosses a row, two for each row), fragments, and crossings that only exact
+/// arithmetic could settle.
+pub mod counted {
+    use super::{Count, DVec2, Span, TriangleError, fast};
 
-/// [`cover`] as the lecture's hardware does it: the edge functions at every centre of the picture.
-///
-/// # Errors
-///
-/// As [`cover`].
-///
-/// # References
-///
-/// As [`contains`].
-pub fn cover_plain(
-    triangle: [DVec2; 3],
-    width: u32,
-    height: u32,
-) -> Result<impl Iterator<Item = Span> + use<>, TriangleError> {
-    cover_by(triangle, EdgeRule::TopLeft, width, height)
-}
-
-/// [`cover_plain`] with another rule for centres on an edge, to see the gaps and the overlaps.
-///
-/// # Errors
-///
-/// As [`cover`].
-///
-/// # References
-///
-/// As [`contains`].
-pub fn cover_by(
-    triangle: [DVec2; 3],
-    rule: EdgeRule,
-    width: u32,
-    height: u32,
-) -> Result<impl Iterator<Item = Span> + use<>, TriangleError> {
-    check(triangle)?;
-    Ok((0..height).filter_map(move |y| {
-        let centre = |x| DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let mut inside = (0..width).filter(|&x| contains(triangle, centre(x), rule));
-        // A triangle is convex: its pixels in a row are one run.
-        let start = inside.next()?;
-        let last = inside.next_back().unwrap_or(start);
-        Some(Span {
-            y,
-            x: start..last + 1,
-        })
-    }))
-}
-
-/// Refuses the first vertex that is not finite.
-fn check(triangle: [DVec2; 3]) -> Result<(), TriangleError> {
-    match (0..).zip(triangle).find(|(_, point)| !point.is_finite()) {
-        Some((vertex, point)) => Err(TriangleError::NotFinite { vertex, point }),
-        None => Ok(()),
+    /// [`cover`](super::cover), counted as the spans are asked for: of a row that nobody asks for, nothing.
+    ///
+    /// # Errors
+    ///
+    /// As [`cover`](super::cover).
+    ///
+    /// # Examples
+    ///
+    /// The slanted side of this triangle runs through a centre in each of its 4 rows:
+    ///
+    /// ```
+    /// use ombra_math::glam::DVec2;
+    /// use ombra_math::work::Work;
+    /// use ombra_raster::triangle::counted;
+    ///
+    /// let triangle = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(DVec2::from);
+    /// let mut work = Work::default();
+    /// let spans = counted::cover(triangle, 8, 8, &mut work).unwrap().count();
+    /// assert_eq!(spans, 3);
+    /// assert_eq!(
+    ///     work.to_string(),
+    ///     "6 fragments, 3 vertices, 10 edge records, 4 exact fallbacks"
+    /// );
+    /// ```
+    pub fn cover<C: Count>(
+        triangle: [DVec2; 3],
+        width: u32,
+        height: u32,
+        work: &mut C,
+    ) -> Result<impl Iterator<Item = Span> + use<'_, C>, TriangleError> {
+        fast::cover(triangle, width, height, work)
     }
 }
 
@@ -361,6 +288,8 @@ fn check(triangle: [DVec2; 3]) -> Result<(), TriangleError> {
 ///
 /// Vertices that were equal stay equal, so triangles that share an edge still do, and leave no gap; which pixels
 /// they own changes. A coordinate that has no finer digits stays where it is.
+///
+/// - Error: none.
 ///
 /// # Examples
 ///

@@ -5,9 +5,8 @@ use core::cmp::Ordering;
 use ombra_math::glam::{DVec2, IVec2};
 use ombra_math::predicates::orient_2d;
 use ombra_raster::rectangle::fill;
-use ombra_raster::triangle::{EdgeRule, cover_by};
+use ombra_raster::triangle::{EdgeRule, cover_plain};
 
-use super::pixels;
 use crate::colour::{Ink, Role};
 use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
@@ -60,6 +59,15 @@ fn triangles() -> [[DVec2; 3]; 2] {
     [[from, A.into(), to], [from, to, B.into()]]
 }
 
+/// The pixels of the triangle by `rule`; none where it is not finite.
+fn pixels(triangle: [DVec2; 3], rule: EdgeRule) -> Vec<IVec2> {
+    let mut pixels = Vec::new();
+    let _ = cover_plain(triangle, rule, SIZE, SIZE, &mut (), |pixel| {
+        pixels.push(pixel.as_ivec2());
+    });
+    pixels
+}
+
 /// The pixels whose centres lie on the shared edge.
 fn centres_on_edge() -> Vec<IVec2> {
     let [from, to] = SHARED.map(DVec2::from);
@@ -77,8 +85,7 @@ fn draw_rule(sheet: &mut Sheet, panel: Rect, rule: EdgeRule) -> Result<(), Figur
     let last = IVec2::splat(SIZE as i32 - 1);
     let grid = Grid::fit(IVec2::ZERO, last, Orientation::Picture, panel);
     let [a, b] = triangles();
-    let [of_a, of_b] =
-        [a, b].map(|triangle| cover_by(triangle, rule, SIZE, SIZE).map_or(Vec::new(), pixels));
+    let [of_a, of_b] = [a, b].map(|triangle| pixels(triangle, rule));
     let (both, only_a): (Vec<IVec2>, Vec<IVec2>) = of_a.iter().partition(|p| of_b.contains(p));
     let on = [
         (Ink::of(Role::Curve(0)), &only_a[..]),
@@ -138,8 +145,7 @@ mod tests {
             (EdgeRule::Closed, 2),
             (EdgeRule::Open, 0),
         ] {
-            let drawn =
-                triangles().map(|triangle| pixels(cover_by(triangle, rule, SIZE, SIZE).unwrap()));
+            let drawn = triangles().map(|triangle| pixels(triangle, rule));
             for pixel in fill(IVec2::ZERO, last) {
                 let count = drawn.iter().filter(|of| of.contains(&pixel)).count();
                 if on_edge.contains(&pixel) {

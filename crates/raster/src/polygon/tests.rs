@@ -22,11 +22,19 @@ fn picture(spans: impl IntoIterator<Item = Span>, width: u32, height: u32) -> Ve
     rows.into_iter().map(String::from_iter).collect()
 }
 
+fn plain(contours: &[Vec<DVec2>], rule: FillRule, width: u32, height: u32) -> Vec<Span> {
+    let mut spans = Vec::new();
+    fill_plain(contours, rule, width, height, &mut (), |span| {
+        spans.push(span)
+    })
+    .unwrap();
+    spans
+}
+
 /// The picture by both forms, which must agree.
 fn grid(contours: &[Vec<DVec2>], rule: FillRule, width: u32, height: u32) -> Vec<String> {
     let fast = spans(contours, rule, width, height);
-    let plain: Vec<_> = fill_plain(contours, rule, width, height).unwrap().collect();
-    assert_eq!(fast, plain);
+    assert_eq!(fast, plain(contours, rule, width, height));
     picture(fast, width, height)
 }
 
@@ -196,7 +204,7 @@ fn a_disc_has_its_area() {
 fn cost_follows_edges_and_crossings() {
     let counted = |contours: &[Vec<DVec2>], width, height| {
         let mut work = Work::default();
-        let spans = fill_counted(contours, FillRule::NonZero, width, height, &mut work)
+        let spans = counted::fill(contours, FillRule::NonZero, width, height, &mut work)
             .unwrap()
             .count();
         (work, spans)
@@ -260,7 +268,7 @@ fn rounding_is_settled_exactly() {
         (0.5, 10_000.5),
     ])];
     let mut work = Work::default();
-    let spans = fill_counted(&wedge, FillRule::EvenOdd, 40_000, 20_000, &mut work).unwrap();
+    let spans = counted::fill(&wedge, FillRule::EvenOdd, 40_000, 20_000, &mut work).unwrap();
     for (y, span) in (1..).zip(spans) {
         assert_eq!(span, Span { y, x: 0..3 * y });
     }
@@ -404,7 +412,7 @@ fn a_bad_vertex_is_named() {
             error.to_string(),
             format!("vertex 2 of contour 1 is ({bad}, 1): both coordinates must be finite")
         );
-        assert!(fill_plain(&contours, FillRule::EvenOdd, 4, 4).is_err());
+        assert!(fill_plain(&contours, FillRule::EvenOdd, 4, 4, &mut (), |_| {}).is_err());
         assert!(edge_table(&contours, 4).is_err());
     }
 }

@@ -117,7 +117,7 @@ mod tests {
     use super::*;
     use ombra_math::glam::DVec2;
     use ombra_math::work::Work;
-    use ombra_raster::triangle::cover_by;
+    use ombra_raster::triangle::cover_plain;
 
     #[test]
     fn the_rules_are_those_of_the_plain_form() {
@@ -133,8 +133,11 @@ mod tests {
                 let mut found = Vec::new();
                 draw_one(corners, one, 6, rule, &mut (), |x, y| found.push((x, y)));
                 let in_pixels = |[x, y]: [i64; 2]| DVec2::new(x as f64, y as f64) / one as f64;
-                let spans = cover_by(corners.map(in_pixels), rule, 6, 6).unwrap();
-                let expected: Vec<_> = spans.flat_map(|s| s.x.map(move |x| (x, s.y))).collect();
+                let mut expected = Vec::new();
+                cover_plain(corners.map(in_pixels), rule, 6, 6, &mut (), |p| {
+                    expected.push((p.x, p.y));
+                })
+                .unwrap();
                 assert_eq!(found, expected, "{corners:?} {rule:?}");
             }
         }

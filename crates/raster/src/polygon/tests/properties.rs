@@ -1,4 +1,5 @@
 use super::*;
+use crate::step::WIDEST;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::num::f64::ANY;
@@ -123,9 +124,46 @@ proptest! {
     fn forms_agree_at_every_scale(contours in any_contours(0..9), width in 0..20u32, height in 0..20u32) {
         for rule in RULES {
             let fast = spans(&contours, rule, width, height);
-            let plain: Vec<_> = fill_plain(&contours, rule, width, height).unwrap().collect();
+            let plain = plain(&contours, rule, width, height);
             prop_assert!(are_in_form(&fast, width, height));
             prop_assert_eq!(fast, plain);
+        }
+    }
+
+    /// Right of the first centre and inside the picture both forms do the same work, but for what is exact.
+    #[test]
+    fn the_work_is_that_of_the_plain_form(contours in prop::collection::vec(prop::collection::vec(prop::array::uniform2(3..38i32), 0..9), 0..3)) {
+        let vertex = |[x, y]: [i32; 2]| DVec2::new(f64::from(x), f64::from(y)) / 4.0;
+        let contours: Contours = contours.into_iter().map(|c| c.into_iter().map(vertex).collect()).collect();
+        for rule in RULES {
+            let (mut fast, mut plain) = (Work::default(), Work::default());
+            counted::fill(&contours, rule, 10, 10, &mut fast).unwrap().for_each(drop);
+            fill_plain(&contours, rule, 10, 10, &mut plain, drop).unwrap();
+            fast.exact_fallbacks = 0;
+            prop_assert_eq!(fast, plain);
+        }
+    }
+
+    /// The crossing is the double nearest to it: neither neighbour is nearer.
+    #[test]
+    fn a_crossing_is_the_nearest_double(a in [finite(), finite()], b in [finite(), finite()], row in 0..9u32) {
+        prop_assume!(a[1] != b[1]);
+        let [ax, ay, bx, by, y] = [a[0], a[1], b[0], b[1], f64::from(row) + 0.5].map(|x| BigRational::from_float(x).unwrap());
+        let exact = (&ax * (&by - &y) + &bx * (&y - &ay)) / (&by - &ay);
+        let (top, bottom) = (DVec2::from_array(a), DVec2::from_array(b));
+        let x = Edge { top, bottom, winding: 1, rows: 0..9 }.x(row);
+        let distance = |x: f64| {
+            let d = BigRational::from_float(x)? - &exact;
+            Some(if d < BigRational::from_integer(BigInt::from(0)) { -d } else { d })
+        };
+        if let Some(found) = distance(x) {
+            for neighbour in [x.next_down(), x.next_up()].into_iter().filter_map(distance) {
+                prop_assert!(found <= neighbour);
+            }
+        } else {
+            let largest = BigRational::from_float(f64::MAX.copysign(x)).unwrap();
+            let beyond = if x > 0.0 { exact > largest } else { exact < largest };
+            prop_assert!(beyond);
         }
     }
 
@@ -203,12 +241,12 @@ proptest! {
     /// in the widest, few at a time.
     #[test]
     fn forms_agree_with_many_edges(contours in any_contours(20..60), scale in prop_oneof![Just(1.0), Just(9.7)],
-                                   width in prop::sample::select(vec![83, 3000, step::WIDEST, step::WIDEST + 1])) {
+                                   width in prop::sample::select(vec![83, 3000, WIDEST, WIDEST + 1])) {
         let contours: Contours = contours.iter().map(|c| c.iter().map(|&v| v * scale).collect()).collect();
         prop_assume!(contours.iter().flatten().all(|v| v.is_finite()));
         for rule in RULES {
             let fast = spans(&contours, rule, width, 90);
-            let plain: Vec<_> = fill_plain(&contours, rule, width, 90).unwrap().collect();
+            let plain = plain(&contours, rule, width, 90);
             prop_assert!(are_in_form(&fast, width, 90));
             prop_assert_eq!(fast, plain);
         }
@@ -221,7 +259,7 @@ proptest! {
         let contours = [vertices.into_iter().map(DVec2::from_array).collect::<Vec<_>>()];
         for rule in RULES {
             let fast = spans(&contours, rule, 83, 200);
-            let plain: Vec<_> = fill_plain(&contours, rule, 83, 200).unwrap().collect();
+            let plain = plain(&contours, rule, 83, 200);
             prop_assert!(are_in_form(&fast, 83, 200));
             prop_assert_eq!(fast, plain);
         }
@@ -237,7 +275,7 @@ proptest! {
         }).collect();
         for rule in RULES {
             let fast = spans(std::slice::from_ref(&star), rule, 180, 200);
-            let plain: Vec<_> = fill_plain(std::slice::from_ref(&star), rule, 180, 200).unwrap().collect();
+            let plain = plain(std::slice::from_ref(&star), rule, 180, 200);
             prop_assert!(are_in_form(&fast, 180, 200));
             prop_assert_eq!(fast, plain);
         }
@@ -250,7 +288,7 @@ proptest! {
         let contours = [vertices.into_iter().map(vertex).collect::<Vec<_>>()];
         for rule in RULES {
             let fast = spans(&contours, rule, 83, 90);
-            let plain: Vec<_> = fill_plain(&contours, rule, 83, 90).unwrap().collect();
+            let plain = plain(&contours, rule, 83, 90);
             prop_assert_eq!(fast, plain);
         }
     }

@@ -155,15 +155,13 @@ fn row<P: Pixel<Subpixel = u8>>(
     let contours = vec![polygon.points.clone()];
     let rule = FillRule::EvenOdd;
     let mut ideal = vec![false; (SIZE * SIZE) as usize];
-    for span in (polygon::fill_plain(&contours, rule, SIZE, SIZE))
-        .into_iter()
-        .flatten()
-    {
+    // Contours that are not finite have no pixels.
+    let _ = polygon::fill_plain(&contours, rule, SIZE, SIZE, &mut (), |span| {
         let row = (span.y * SIZE) as usize;
         if let Some(run) = ideal.get_mut(row + span.x.start as usize..row + span.x.end as usize) {
             run.fill(true);
         }
-    }
+    });
     let lit = ideal.iter().filter(|&&lit| lit).count();
     let channels = usize::from(P::CHANNEL_COUNT);
     let picture = Picture {

@@ -1,4 +1,4 @@
-//! The active edges, carried from row to row: the fast form of the fill.
+//! The active edges, carried from row to row.
 //!
 //! Rows are scanned up to the next one in which an edge begins or ends. Two edges bound one run; the crossings of a few
 //! are sorted; many are stepped side by side, in an order that holds until edges cross. An edge left of the picture is
@@ -9,13 +9,13 @@ use core::ops::Range;
 
 use ombra_math::work::{Count, Counter};
 
-use super::FillRule;
 use super::active::{Active, Entry};
-use super::edge::Edge;
 use super::found::Found;
 use super::row::Row;
-use super::step::{Steps, WIDEST};
+use crate::edge::Edge;
+use crate::polygon::FillRule;
 use crate::span::Span;
+use crate::step::{Steps, WIDEST};
 
 /// From so many active edges on they are stepped side by side, down to half as many: to put edges in their places must
 /// pay.

@@ -8,12 +8,12 @@ use core::ops::Range;
 
 use ombra_math::work::{Count, Counter};
 
-use super::edge::{Edge, first, first_centre};
+use crate::edge::{Edge, first, first_centre};
 
 /// More than the error of a stepped crossing, see [`Steps::near`].
-pub(super) const MARGIN: f64 = 1.0 / (1u64 << 14) as f64;
+pub(crate) const MARGIN: f64 = 1.0 / (1u64 << 14) as f64;
 /// Widest picture whose crossings are kept in fixed point, with room for as much again on either side.
-pub(super) const WIDEST: u32 = 1 << 30;
+pub(crate) const WIDEST: u32 = 1 << 30;
 /// Largest |x| of an end whose crossings are computed without exact arithmetic: in fixed point, and otherwise.
 const REACH: [f64; 2] = [WIDEST as f64, (1u64 << 33) as f64];
 /// An edge of more rows that leaves the picture is cut where it does.

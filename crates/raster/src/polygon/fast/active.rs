@@ -6,11 +6,11 @@
 
 use ombra_math::work::{Count, Counter};
 
-use super::FillRule;
-use super::edge::Edge;
 use super::found::Found;
 use super::row::Row;
-use super::step::{MARGIN, Steps, settle};
+use crate::edge::Edge;
+use crate::polygon::FillRule;
+use crate::step::{MARGIN, Steps, settle};
 
 /// Rows after which edges that are out of order are sorted again, at first: sorting is to cost less than the rows.
 const PATIENCE: u32 = 64;

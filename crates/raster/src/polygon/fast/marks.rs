@@ -1,6 +1,6 @@
 //! Columns sorted without comparing them: marked in a table of one bit a column, and read off from left to right.
 
-use super::row::Changes;
+use super::changes::Changes;
 
 /// The table, empty between two rows.
 #[derive(Clone, Debug, Default)]

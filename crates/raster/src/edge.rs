@@ -1,7 +1,4 @@
-//! One edge of a polygon and the rows and columns where it is crossed.
-//!
-//! The plain form asks the exact predicate at pixel centres. The fast form steps a rounded crossing from row
-//! to row, and asks the predicate only where rounding leaves doubt.
+//! One edge of a polygon or a triangle, and the rows and columns where it is crossed.
 
 use core::cmp::Ordering;
 use core::ops::Range;
@@ -9,8 +6,6 @@ use core::ops::Range;
 use ombra_math::exact::Sum;
 use ombra_math::glam::DVec2;
 use ombra_math::predicates::orient_2d;
-
-use super::PolygonError;
 
 /// An edge that at least one row of pixel centres crosses: a record of the edge table.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,7 +61,7 @@ impl Edge {
 
     /// The same, given for either end the first row whose centres do not lie above it.
     #[inline]
-    pub(super) fn between(from: DVec2, to: DVec2, [from_row, to_row]: [u32; 2]) -> Option<Self> {
+    pub(crate) fn between(from: DVec2, to: DVec2, [from_row, to_row]: [u32; 2]) -> Option<Self> {
         let (top, bottom, winding, rows) = match from_row.cmp(&to_row) {
             Ordering::Less => (from, to, 1, from_row..to_row),
             Ordering::Greater => (to, from, -1, to_row..from_row),
@@ -121,6 +116,10 @@ impl Edge {
     /// X = ───────────────────────────────────────────
     ///                 bottom.y − top.y
     /// ```
+    ///
+    /// # Properties
+    ///
+    /// - Error: none: the nearest double.
     #[must_use]
     pub fn x(&self, row: u32) -> f64 {
         let (a, b, y) = (self.top, self.bottom, f64::from(row) + 0.5);
@@ -132,36 +131,6 @@ impl Edge {
         ];
         Sum::of(&numerator).quotient(&Sum::of(&[[b.y, 1.0, 1.0], [-a.y, 1.0, 1.0]]))
     }
-}
-
-/// Takes the edges of all contours that cross a row, in the order of the contours.
-pub(super) fn for_each_edge(
-    contours: &[Vec<DVec2>],
-    height: u32,
-    mut take: impl FnMut(Edge),
-) -> Result<(), PolygonError> {
-    for (contour, vertices) in contours.iter().enumerate() {
-        let mut points = (0..).zip(vertices);
-        if let Some((vertex, &point)) = points.find(|(_, point)| !point.is_finite()) {
-            return Err(PolygonError::NotFinite {
-                contour,
-                vertex,
-                point,
-            });
-        }
-        let Some(&last) = vertices.last() else {
-            continue;
-        };
-        let (mut from, mut from_row) = (last, first_centre(last.y, height));
-        for &point in vertices {
-            let row = first_centre(point.y, height);
-            if let Some(edge) = Edge::between(from, point, [from_row, row]) {
-                take(edge);
-            }
-            (from, from_row) = (point, row);
-        }
-    }
-    Ok(())
 }
 
 /// ⌈t − ½⌉ within 0 … `count`: the first row, or column, whose centre does not come before `t`.
