@@ -4,12 +4,51 @@
 //! screen is the same mixture of the corners' values. One that is linear in space is not, under perspective: the
 //! weights must be divided by each corner's w first. That correction is in no deck.
 
-use core::cmp::Ordering;
+mod fast;
 
 use ombra_math::exact::Sum;
 use ombra_math::glam::{DVec2, DVec3};
 
 use crate::span::Span;
+
+/// [`weights`] exact as its formula: the shares of three triangles in the whole.
+///
+/// # Properties
+///
+/// - Error: none: the nearest doubles.
+///
+/// # Errors
+///
+/// As [`weights`].
+///
+/// # References
+///
+/// As [`weights`].
+#[must_use]
+pub fn weights_plain(triangle: [DVec2; 3], p: DVec2) -> Option<DVec3> {
+    let [a, b, c] = triangle;
+    // P parts the triangle into three; a corner weighs as much as the part opposite to it.
+    let parts = [
+        twice_area(b, c, p),
+        twice_area(c, a, p),
+        twice_area(a, b, p),
+    ];
+    let whole = twice_area(a, b, c);
+    let weights = DVec3::from_array(parts.map(|part| part.quotient(&whole)));
+    weights.is_finite().then_some(weights)
+}
+
+/// E(a, b, p) = (b − a) × (p − a), exact, as the sum of its products.
+fn twice_area(a: DVec2, b: DVec2, p: DVec2) -> Sum {
+    Sum::of(&[
+        [a.x, b.y, 1.0],
+        [-a.y, b.x, 1.0],
+        [b.x, p.y, 1.0],
+        [-b.y, p.x, 1.0],
+        [p.x, a.y, 1.0],
+        [-p.y, a.x, 1.0],
+    ])
+}
 
 /// The barycentric weights (λ₀, λ₁, λ₂) of `p` in a triangle on the screen.
 ///
@@ -22,8 +61,9 @@ use crate::span::Span;
 ///
 /// # Properties
 ///
-/// Each is within 64ε of itself, with the exact sign, short of underflow: ≥ 0 inside and on the border, 0 on the
-/// opposite side alone. At a corner they are 1, 0, 0. Either winding gives the same weights but for rounding.
+/// - Error: at most 64 ε |λᵢ|, short of underflow.
+/// - Each has the exact sign: ≥ 0 inside and on the border, 0 on the opposite side alone. At a corner they are 1, 0, 0.
+///   Either winding gives the same weights but for rounding.
 ///
 /// # Errors
 ///
@@ -45,42 +85,7 @@ use crate::span::Span;
 /// shading».
 #[must_use]
 pub fn weights(triangle: [DVec2; 3], p: DVec2) -> Option<DVec3> {
-    let [a, b, c] = triangle;
-    let parts = [[b, c, p], [c, a, p], [a, b, p]];
-    let rounded = parts.map(|[a, b, c]| twice_area(a, b, c));
-    let weights = match (twice_area(a, b, c), rounded) {
-        (Some(whole), [Some(x), Some(y), Some(z)]) => DVec3::new(x, y, z) / whole,
-        _ => {
-            let whole = exact_twice_area(a, b, c);
-            if whole.sign() == Some(Ordering::Equal) {
-                return None;
-            }
-            let [x, y, z] = parts.map(|[a, b, c]| exact_twice_area(a, b, c).quotient(&whole));
-            DVec3::new(x, y, z)
-        }
-    };
-    weights.is_finite().then_some(weights)
-}
-
-/// E(a, b, p) where rounding leaves it within 25ε of itself and it is not near the ends of a double's range.
-fn twice_area(a: DVec2, b: DVec2, p: DVec2) -> Option<f64> {
-    const RANGE: core::ops::Range<f64> = 1e-140..1e140;
-    let (u, v) = (b - a, p - a);
-    let (x, y) = (u.x * v.y, u.y * v.x);
-    let size = x.abs() + y.abs();
-    // Each product is within 3 ε/2 of itself, so E within 3 ε/2 of the size, 24ε of itself, and one rounding.
-    ((x - y).abs() >= size / 16.0 && RANGE.contains(&size)).then_some(x - y)
-}
-
-fn exact_twice_area(a: DVec2, b: DVec2, p: DVec2) -> Sum {
-    Sum::of(&[
-        [a.x, b.y, 1.0],
-        [-a.y, b.x, 1.0],
-        [b.x, p.y, 1.0],
-        [-b.y, p.x, 1.0],
-        [p.x, a.y, 1.0],
-        [-p.y, a.x, 1.0],
-    ])
+    fast::weights(triangle, p)
 }
 
 /// The weights at the centres of a span's pixels, left to right: found once, then stepped.
@@ -93,8 +98,8 @@ fn exact_twice_area(a: DVec2, b: DVec2, p: DVec2) -> Sum {
 ///
 /// # Properties
 ///
-/// The step is multiplied, not added up, so the error does not grow with the length of the span: each weight is
-/// within 128ε of the larger |λ| at the span's two ends.
+/// - Error: at most 128 ε max(|λᵢ(start)|, |λᵢ(end − 1)|), short of underflow.
+/// - The step is multiplied, not added up, so the error does not grow with the length of the span.
 ///
 /// # Pitfalls
 ///
@@ -124,21 +129,10 @@ fn exact_twice_area(a: DVec2, b: DVec2, p: DVec2) -> Sum {
 /// but see there what adding up does to the error.
 #[must_use]
 pub fn along(triangle: [DVec2; 3], span: &Span) -> Option<impl Iterator<Item = DVec3> + use<>> {
-    let [a, b, c] = triangle;
     let start = span.x.start;
     let centre = DVec2::new(f64::from(start) + 0.5, f64::from(span.y) + 0.5);
     let first = weights(triangle, centre)?;
-    let sides = [(b, c), (c, a), (a, b)];
-    let [x, y, z] = match twice_area(a, b, c) {
-        Some(whole) => sides.map(|(from, to)| (from.y - to.y) / whole),
-        None => {
-            let whole = exact_twice_area(a, b, c);
-            sides.map(|(from, to)| {
-                Sum::of(&[[from.y, 1.0, 1.0], [-to.y, 1.0, 1.0]]).quotient(&whole)
-            })
-        }
-    };
-    let step = DVec3::new(x, y, z);
+    let step = fast::gradient(triangle);
     step.is_finite().then(|| {
         span.x
             .clone()
@@ -156,8 +150,7 @@ pub fn along(triangle: [DVec2; 3], span: &Span) -> Option<impl Iterator<Item = D
 ///
 /// # Properties
 ///
-/// Within 2ε·Σ|λᵢ aᵢ| of the exact mixture by these weights; with the weights of [`weights`], within
-/// 67ε·Σ|λᵢ aᵢ| of the exact attribute, short of underflow.
+/// - Error: at most 2 ε Σ|λᵢ aᵢ|, given λ, and with the λ of [`weights`] at most 67 ε Σ|λᵢ aᵢ|, short of underflow.
 ///
 /// # Pitfalls
 ///
@@ -184,8 +177,8 @@ pub fn linear(weights: DVec3, values: [f64; 3]) -> f64 {
 ///
 /// # Properties
 ///
-/// For λ ≥ 0 each is within 5ε of itself, given λ; only the ratios of the w count. Equal w change nothing but
-/// rounding.
+/// - Error: at most 5 ε |μᵢ|, given λ ≥ 0, short of underflow.
+/// - Only the ratios of the w count. Equal w change nothing but rounding.
 ///
 /// # Errors
 ///
@@ -232,8 +225,8 @@ pub fn perspective_weights(weights: DVec3, w: [f64; 3]) -> Option<DVec3> {
 ///
 /// # Properties
 ///
-/// For a point of the triangle, with the weights of [`weights`], within 140ε·max|aᵢ| of the exact attribute,
-/// short of underflow, whatever the ratios of the w.
+/// - Error: at most 140 ε max|aᵢ|, at a point of the triangle with the λ of [`weights`], short of underflow.
+/// - That holds whatever the ratios of the w.
 ///
 /// # Pitfalls
 ///

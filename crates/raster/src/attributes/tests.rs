@@ -79,6 +79,37 @@ proptest! {
         }
     }
 
+    /// No double is nearer, whatever the scale.
+    #[test]
+    fn plain_weights_are_the_nearest(triangle in triangle(), s in 0.0..1.0f64, t in 0.0..1.0f64, far in -3.0..3.0f64, scale in -300..300i32) {
+        for p in [mixed(triangle, s, t), mixed(triangle, s, 0.0), triangle[0] * far] {
+            let scale = libm::scalbn(1.0, scale);
+            let found = weights_plain(triangle.map(|corner| corner * scale), p * scale);
+            let Some(expected) = exact_weights(triangle, p) else {
+                prop_assert_eq!(found, None);
+                continue;
+            };
+            for (found, expected) in found.unwrap().to_array().into_iter().zip(expected) {
+                let distance = |x: f64| abs(&(exact(x) - &expected));
+                prop_assert!(distance(found) <= distance(found.next_up()).min(distance(found.next_down())));
+            }
+        }
+    }
+
+    /// Given the weights, whatever they are.
+    #[test]
+    fn mixing_keeps_its_bound(weights in [-9.0..9.0f64, -9.0..9.0, -9.0..9.0], a in [-9.0..9.0f64, -9.0..9.0, -9.0..9.0], cancel: bool) {
+        let mut weights = weights;
+        if cancel {
+            // The last term takes away nearly all of the others.
+            weights[2] = -(weights[0] * a[0] + weights[1] * a[1]) / a[2];
+        }
+        prop_assume!(weights.iter().all(|x| x.is_finite()));
+        let terms: Vec<_> = (0..3).map(|i| exact(weights[i]) * exact(a[i])).collect();
+        let size: BigRational = terms.iter().map(abs).sum();
+        prop_assert!(within(linear(weights.into(), a), &terms.iter().sum(), &(size * epsilon(2))));
+    }
+
     #[test]
     fn attributes_are_near_the_exact_ones(triangle in triangle(), s in 0.0..1.0f64, t in 0.0..1.0f64,
                                           a in [-9.0..9.0f64, -9.0..9.0, -9.0..9.0], w in w()) {
