@@ -4,7 +4,7 @@
 
 use ombra_hsr::z_buffer::{
     Colours, Cull, Depth16, Depth24, Depth32F, DepthBuffer, DepthFormat, Options, ReversedDepth32F,
-    draw_counted, draw_depth_counted,
+    counted,
 };
 use ombra_math::camera::Camera;
 use ombra_math::glam::{DMat4, DVec3, dvec3};
@@ -135,7 +135,7 @@ fn against_own_loop<F: DepthFormat>(steps: Option<f64>, seed: u64) -> usize {
         let ids: Vec<_> = (0..count).map(|i| Luma([i])).collect();
         let mut work = Work::default();
         let colours = Colours::PerTriangle(&ids);
-        draw_counted(
+        counted::draw(
             &mesh,
             &camera,
             colours,
@@ -247,7 +247,7 @@ fn a_solid_round_the_eye_covers_every_pixel_once() {
         let mut depth =
             DepthBuffer::<ReversedDepth32F>::new(viewport.width, viewport.height).unwrap();
         let mut work = Work::default();
-        draw_depth_counted(&ball, &camera, Cull::Nothing, &mut depth, &mut work).unwrap();
+        counted::draw_depth(&ball, &camera, Cull::Nothing, &mut depth, &mut work).unwrap();
         assert_eq!(
             work.fragments,
             u64::from(viewport.width * viewport.height),

@@ -2,8 +2,7 @@
 //!
 //! A fragment is written where it is nearer than what the pixel holds. [`draw`] takes an indexed mesh all the way: to
 //! clip space, clipped at the near plane, the far plane and where pixel coordinates would leave their range, to
-//! sub-pixels, to fragments, to the test. The formats of depth are types ([`Depth16`], [`Depth24`], [`Depth32F`],
-//! [`ReversedDepth32F`]) on one code path.
+//! sub-pixels, to fragments, to the test. The [formats](ombra_raster::depth_format) of depth are types on one code path.
 //!
 //! # Which pixels, which depth
 //!
@@ -22,94 +21,91 @@
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/zbuffer-steps.svg"))]
 
-mod buffer;
 mod error;
 mod fast;
-mod format;
+mod options;
 mod paint;
-mod plain;
 pub mod precision;
-mod screen;
-mod setup;
-#[cfg(feature = "parallel")]
-mod threads;
+mod projected;
 
-use fearless_simd::Level;
 use ombra_math::camera::Camera;
 use ombra_math::mesh::Mesh;
-use ombra_math::work::Count;
-use ombra_raster::buffers::image::ImageBuffer;
+use ombra_math::work::{Count, Counter};
+use ombra_raster::triangle_setup::Setup;
 
-pub use buffer::DepthBuffer;
-pub use error::DrawError;
-pub use format::{Depth16, Depth24, Depth32F, DepthFormat, ReversedDepth32F};
+pub use error::{DrawError, MAX_SIDE};
+pub use ombra_raster::buffers::{DepthBuffer, Picture};
+pub use ombra_raster::depth_format::{Depth16, Depth24, Depth32F, DepthFormat, ReversedDepth32F};
+pub use ombra_raster::triangle_setup::{Cull, SUBPIXEL_BITS};
+pub use options::{Blend, Colours, Options};
 pub use paint::PicturePixel;
-pub use screen::{MAX_SIDE, SUBPIXEL_BITS};
 
-use fast::Band;
-use paint::{DepthOnly, Flat, Paint, Smooth};
-use screen::Scene;
+use fast::Threads;
+use projected::{Pieces, Projected};
 
-/// A picture of pixels `P`.
-pub type Picture<P> = ImageBuffer<P, Vec<<P as ombra_raster::buffers::image::Pixel>::Subpixel>>;
-
-/// Pixels that the fast form does at once.
-const LANES: usize = 4;
-
-/// Where the colour of a fragment comes from.
-///
-/// For a picture of triangle numbers, give each triangle its own: `Luma([i])`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Colours<'a, P> {
-    /// All triangles have this one.
-    One(P),
-    /// One for each triangle of the mesh.
-    PerTriangle(&'a [P]),
-    /// One for each vertex of the mesh, interpolated over the triangle in space, not in the picture. A number that is
-    /// NaN or ∞ at a vertex is NaN or ∞ in its triangles.
-    PerVertex(&'a [P]),
-}
-
-/// Which triangles are left out, by the side from which they are seen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Cull {
-    /// None.
-    #[default]
-    Nothing,
-    /// Those seen from behind: their corners run clockwise in the picture.
-    Back,
-    /// Those seen from the front.
-    Front,
-}
-
-/// What a fragment nearer than the pixel's depth does to its colour. Its depth is stored in either case.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Blend {
-    /// Takes its place.
-    #[default]
-    Replace,
-    /// Is laid over it, as opaque as its alpha says: then the picture depends on the order of the triangles.
-    Over,
-}
-
-/// How to draw; the default draws both sides of every triangle, opaque.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Options {
-    /// Which triangles are left out.
-    pub cull: Cull,
-    /// What a fragment does to the colour.
-    pub blend: Blend,
-}
-
-/// Draws a mesh into a picture and its depth buffer.
+/// [`draw`] as the lecture has it: triangle after triangle, pixel after pixel.
 ///
 /// # Formula
 ///
 /// ```text
-/// for each triangle, for each pixel (x, y) it owns:
+/// for each primitive, for each pixel (x, y) of its projection:
 ///     z = its depth there, as the format stores it
 ///     if z is nearer than depth(x, y):   depth(x, y) = z,  picture(x, y) = its colour
 /// ```
+///
+/// # Errors
+///
+/// As [`draw`].
+///
+/// # References
+///
+/// Grafica 3, «Algoritmo Z-Buffer».
+pub fn draw_plain<F: DepthFormat, P: PicturePixel>(
+    mesh: &Mesh,
+    camera: &Camera,
+    colours: Colours<'_, P>,
+    options: Options,
+    picture: &mut Picture<P>,
+    depth: &mut DepthBuffer<F>,
+    work: &mut impl Count,
+) -> Result<(), DrawError> {
+    let sizes = [picture.dimensions(), depth.dimensions()];
+    options::check(mesh, camera, &colours, sizes)?;
+    let (width, height) = depth.dimensions();
+    // Each vertex once: to clip space and into the picture.
+    let projected = Projected::new::<F>(mesh, camera, work)?;
+    let mut cut = Pieces::default();
+    // For each primitive, in any order; what clipping leaves of it may be several triangles.
+    for triangle in 0..mesh.triangles.len() {
+        for (corners, weights) in projected.pieces(triangle, &mut cut, work).iter() {
+            let Some(setup) = Setup::new(corners, options.cull) else {
+                continue;
+            };
+            let Some(ink) = colours.ink(mesh, triangle, weights, &setup) else {
+                continue;
+            };
+            let mut fragments = 0;
+            // For each pixel of its projection: z, the depth of the primitive there.
+            for (x, y, edges) in setup.pixels(width, height) {
+                let z = F::encode(setup.value(edges));
+                fragments += 1;
+                // Is it nearer than what the buffer holds? Then both are written, depth and colour.
+                if let Some(nearest) = depth.stored_mut(x, y)
+                    && let Some(pixel) = picture.get_pixel_mut_checked(x, y)
+                    && F::is_nearer(z, *nearest)
+                {
+                    *nearest = z;
+                    options.blend.write(pixel.channels_mut(), ink.at(edges));
+                }
+            }
+            work.add(Counter::Fragments, fragments);
+            work.add(Counter::DepthTests, fragments);
+        }
+    }
+    Ok(())
+}
+
+/// Draws a mesh into a picture and its depth buffer.
 ///
 /// # Properties
 ///
@@ -161,146 +157,22 @@ pub fn draw<F: DepthFormat, P: PicturePixel>(
     depth: &mut DepthBuffer<F>,
 ) -> Result<(), DrawError> {
     let target = (picture, depth);
-    drawn::<F, P, _>(
+    fast::drawn(
         mesh,
         camera,
         colours,
         options,
         target,
-        Form::Threads,
+        Threads::All,
         &mut (),
     )
-}
-
-/// [`draw`], one pixel after the other: the lecture's loop.
-///
-/// # Errors
-///
-/// As [`draw`].
-///
-/// # References
-///
-/// Grafica 3, «Algoritmo Z-Buffer».
-pub fn draw_plain<F: DepthFormat, P: PicturePixel>(
-    mesh: &Mesh,
-    camera: &Camera,
-    colours: Colours<'_, P>,
-    options: Options,
-    picture: &mut Picture<P>,
-    depth: &mut DepthBuffer<F>,
-) -> Result<(), DrawError> {
-    let target = (picture, depth);
-    drawn::<F, P, _>(mesh, camera, colours, options, target, Form::Plain, &mut ())
-}
-
-/// [`draw`], counting the vertices transformed and made by clipping, the fragments and the depth tests.
-///
-/// Clipping is also done far outside the picture, where coordinates would leave their range; so the number of vertices
-/// depends on the picture's size.
-///
-/// # Errors
-///
-/// As [`draw`].
-///
-/// # References
-///
-/// Grafica 3, «Algoritmo Z-Buffer»: nearly constant cost, since more primitives are smaller ones.
-pub fn draw_counted<F: DepthFormat, P: PicturePixel>(
-    mesh: &Mesh,
-    camera: &Camera,
-    colours: Colours<'_, P>,
-    options: Options,
-    picture: &mut Picture<P>,
-    depth: &mut DepthBuffer<F>,
-    work: &mut impl Count,
-) -> Result<(), DrawError> {
-    let target = (picture, depth);
-    drawn::<F, P, _>(mesh, camera, colours, options, target, Form::Fast, work)
-}
-
-/// The forms of the z-buffer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Form {
-    /// One pixel after the other.
-    Plain,
-    /// Several at a time.
-    Fast,
-    /// Several at a time on several threads; nothing is counted.
-    Threads,
-}
-
-fn drawn<F: DepthFormat, P: PicturePixel, C: Count>(
-    mesh: &Mesh,
-    camera: &Camera,
-    colours: Colours<'_, P>,
-    options: Options,
-    (picture, depth): (&mut Picture<P>, &mut DepthBuffer<F>),
-    form: Form,
-    work: &mut C,
-) -> Result<(), DrawError> {
-    check_size(camera, picture.dimensions())?;
-    check_size(camera, depth.dimensions())?;
-    colours.check(mesh)?;
-    let scene = Scene::new::<F>(mesh, camera, Level::new(), work)?;
-    let Options { cull, blend } = options;
-    let flat = |colours| Flat { colours, blend };
-    let paint = match colours {
-        Colours::One(pixel) => flat(Ok(pixel)),
-        Colours::PerTriangle(colours) => flat(Err(colours)),
-        Colours::PerVertex(colours) => {
-            let triangles = &mesh.triangles;
-            let paint = Smooth {
-                colours,
-                triangles,
-                blend,
-            };
-            run::<F, _, _>(&scene, cull, paint, depth, picture, form, work);
-            return Ok(());
-        }
-    };
-    run::<F, _, _>(&scene, cull, paint, depth, picture, form, work);
-    Ok(())
-}
-
-fn run<F: DepthFormat, I: Paint, C: Count>(
-    scene: &Scene<'_>,
-    cull: Cull,
-    paint: I,
-    depth: &mut DepthBuffer<F>,
-    samples: &mut [I::Sample],
-    form: Form,
-    work: &mut C,
-) {
-    let (width, height) = depth.dimensions();
-    let depth = depth.values_mut();
-    let rows = 0..height;
-    let triangles = 0..scene.triangles.len();
-    if form == Form::Plain {
-        plain::draw::<F, _>(scene, cull, paint, (width, height), depth, samples, work);
-        return;
-    }
-    let mut whole: Band<'_, F, I> = Band {
-        rows,
-        width,
-        depth,
-        samples,
-    };
-    #[cfg(feature = "parallel")]
-    if form == Form::Threads {
-        let threads = threads::number(triangles.len());
-        if threads > 1 {
-            threads::draw(scene, cull, paint, whole, threads);
-            return;
-        }
-    }
-    whole.draw(scene, triangles, cull, paint, work);
 }
 
 /// Draws the depths of a mesh and no colour: a shadow map.
 ///
 /// # Properties
 ///
-/// The depths of [`draw`].
+/// The depths of [`draw_plain`], bit for bit.
 ///
 /// # Errors
 ///
@@ -315,70 +187,13 @@ pub fn draw_depth<F: DepthFormat>(
     cull: Cull,
     depth: &mut DepthBuffer<F>,
 ) -> Result<(), DrawError> {
-    depth_drawn(mesh, camera, cull, depth, Form::Threads, &mut ())
+    fast::depth_drawn(mesh, camera, cull, depth, Threads::All, &mut ())
 }
 
-/// [`draw_depth`], counted as [`draw_counted`] is.
-///
-/// # Errors
-///
-/// As [`draw`].
-///
-/// # References
-///
-/// As [`draw_depth`].
-pub fn draw_depth_counted<F: DepthFormat>(
-    mesh: &Mesh,
-    camera: &Camera,
-    cull: Cull,
-    depth: &mut DepthBuffer<F>,
-    work: &mut impl Count,
-) -> Result<(), DrawError> {
-    depth_drawn(mesh, camera, cull, depth, Form::Fast, work)
-}
-
-/// [`draw_depth`] as [`draw_plain`] does it.
-///
-/// # Errors
-///
-/// As [`draw`].
-///
-/// # References
-///
-/// As [`draw_depth`].
-pub fn draw_depth_plain<F: DepthFormat>(
-    mesh: &Mesh,
-    camera: &Camera,
-    cull: Cull,
-    depth: &mut DepthBuffer<F>,
-) -> Result<(), DrawError> {
-    depth_drawn(mesh, camera, cull, depth, Form::Plain, &mut ())
-}
-
-fn depth_drawn<F: DepthFormat>(
-    mesh: &Mesh,
-    camera: &Camera,
-    cull: Cull,
-    depth: &mut DepthBuffer<F>,
-    form: Form,
-    work: &mut impl Count,
-) -> Result<(), DrawError> {
-    check_size(camera, depth.dimensions())?;
-    let scene = Scene::new::<F>(mesh, camera, Level::new(), work)?;
-    run::<F, _, _>(&scene, cull, DepthOnly, depth, &mut [], form, work);
-    Ok(())
-}
-
-/// A buffer must have the viewport's size, and one that can be drawn.
-fn check_size(camera: &Camera, found: (u32, u32)) -> Result<(), DrawError> {
-    let viewport = (camera.viewport.width, camera.viewport.height);
-    if found != viewport {
-        return Err(DrawError::Size { found, viewport });
-    }
-    if viewport.0.max(viewport.1) > MAX_SIDE {
-        return Err(DrawError::TooLong { size: viewport });
-    }
-    Ok(())
+/// [`draw`] and [`draw_depth`] on one thread, with the same answers, counting their work: the vertices transformed and
+/// made by clipping, the fragments and the depth tests. The counter comes last.
+pub mod counted {
+    pub use super::fast::{draw, draw_depth};
 }
 
 #[cfg(test)]

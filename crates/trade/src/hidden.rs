@@ -6,7 +6,7 @@ mod truth;
 use ombra_hsr::picture::{IdBuffer, NOTHING, PictureError, paint_counted, polygons};
 use ombra_hsr::polygon::Polygon;
 use ombra_hsr::z_buffer::{
-    Colours, Cull, Depth24, DepthBuffer, DepthFormat, Options, draw_counted,
+    Colours, Cull, Depth24, DepthBuffer, DepthFormat, Options, counted,
 };
 use ombra_hsr::{image_space, object_space, painter};
 use ombra_math::camera::Camera;
@@ -61,7 +61,7 @@ pub fn draw<F: DepthFormat>(
         cull,
         ..Options::default()
     };
-    draw_counted(
+    counted::draw(
         mesh,
         camera,
         colours,

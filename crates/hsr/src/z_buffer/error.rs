@@ -2,9 +2,11 @@
 
 use core::fmt;
 
+use ombra_math::camera::Camera;
 use ombra_math::glam::DVec3;
 
-use super::MAX_SIDE;
+/// The longest side of a picture that is drawn: coordinates of 26 bits, products of 52, exact in a double.
+pub const MAX_SIDE: u32 = 1 << 15;
 
 /// Why nothing was drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,3 +112,15 @@ impl fmt::Display for DrawError {
 }
 
 impl core::error::Error for DrawError {}
+
+/// A buffer must have the viewport's size, and one that can be drawn.
+pub(super) fn check_size(camera: &Camera, found: (u32, u32)) -> Result<(), DrawError> {
+    let viewport = (camera.viewport.width, camera.viewport.height);
+    if found != viewport {
+        return Err(DrawError::Size { found, viewport });
+    }
+    if viewport.0.max(viewport.1) > MAX_SIDE {
+        return Err(DrawError::TooLong { size: viewport });
+    }
+    Ok(())
+}

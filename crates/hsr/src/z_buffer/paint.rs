@@ -4,11 +4,13 @@ use fearless_simd::{Simd, f64x4};
 use num_traits::{ToPrimitive, Zero};
 use ombra_math::mesh::Mesh;
 use ombra_raster::buffers::image::{Pixel, Primitive};
+use ombra_raster::triangle_setup::Setup;
 
-use super::LANES;
-use super::screen::Weights;
-use super::setup::Setup;
-use super::{Blend, Colours, DrawError};
+use super::options::{Blend, Colours};
+use super::projected::Weights;
+
+/// Pixels that the fast form does at once.
+pub(super) const LANES: usize = 4;
 
 /// A pixel that pictures are drawn with: any [`Pixel`] that threads may share.
 pub trait PicturePixel: Pixel<Subpixel: Send + Sync> + Send + Sync {}
@@ -76,8 +78,15 @@ impl Paint for DepthOnly {
 /// One colour a triangle.
 #[derive(Clone, Copy)]
 pub(super) struct Flat<'a, P> {
-    pub(super) colours: Result<P, &'a [P]>,
+    pub(super) colours: FlatColours<'a, P>,
     pub(super) blend: Blend,
+}
+
+/// [`Colours`] that do not change within a triangle.
+#[derive(Clone, Copy)]
+pub(super) enum FlatColours<'a, P> {
+    One(P),
+    PerTriangle(&'a [P]),
 }
 
 impl<P: PicturePixel> Paint for Flat<'_, P> {
@@ -87,8 +96,8 @@ impl<P: PicturePixel> Paint for Flat<'_, P> {
     #[inline(always)]
     fn ink(&self, triangle: usize, _: &Weights, _: &Setup<'_>) -> Option<P> {
         match self.colours {
-            Ok(one) => Some(one),
-            Err(colours) => colours.get(triangle).copied(),
+            FlatColours::One(one) => Some(one),
+            FlatColours::PerTriangle(colours) => colours.get(triangle).copied(),
         }
     }
 
@@ -160,8 +169,23 @@ impl<P: PicturePixel> Paint for Smooth<'_, P> {
     type Ink = Gradient<P>;
 
     fn ink(&self, triangle: usize, weights: &Weights, setup: &Setup<'_>) -> Option<Gradient<P>> {
-        let &[a, b, c] = self.triangles.get(triangle)?;
-        let colour = |index: u32| self.colours.get(index as usize).copied();
+        Gradient::new(self.colours, self.triangles.get(triangle)?, weights, setup)
+    }
+
+    fn write(&self, samples: &mut [P::Subpixel], i: usize, ink: &Gradient<P>, edges: [f64; 3]) {
+        put(samples, i, ink.at(edges), self.blend);
+    }
+}
+
+impl<P: PicturePixel> Gradient<P> {
+    #[inline(always)]
+    fn new(
+        colours: &[P],
+        &[a, b, c]: &[u32; 3],
+        weights: &Weights,
+        setup: &Setup<'_>,
+    ) -> Option<Self> {
+        let colour = |index: u32| colours.get(index as usize).copied();
         // Over w, in units that cannot overflow.
         let least_w = setup.corners.iter().fold(f64::INFINITY, |w, c| w.min(c.w));
         let mut over_w = [[0.0; 3]; 3];
@@ -170,33 +194,71 @@ impl<P: PicturePixel> Paint for Smooth<'_, P> {
                 .get(from)?
                 .map(|weight| weight * (least_w / corner.w));
         }
-        Some(Gradient {
+        Some(Self {
             colours: [colour(a)?, colour(b)?, colour(c)?],
             weights: over_w,
         })
     }
 
-    fn write(&self, samples: &mut [P::Subpixel], i: usize, ink: &Gradient<P>, edges: [f64; 3]) {
+    /// The colour where the edge functions have these values.
+    #[inline(always)]
+    fn at(&self, edges: [f64; 3]) -> P {
         // Linear in the picture are weight / w and 1 / w; their quotient is the weight.
         let [mut a, mut b, mut c] = [0.0; 3];
-        for (e, weights) in edges.iter().zip(&ink.weights) {
+        for (e, weights) in edges.iter().zip(&self.weights) {
             a += e * weights[0];
             b += e * weights[1];
             c += e * weights[2];
         }
         let sum = a + b + c;
         let share = [a / sum, b / sum, c / sum];
-        let mut pixel = ink.colours[0];
+        let mut pixel = self.colours[0];
         for (k, sample) in pixel.channels_mut().iter_mut().enumerate() {
             let at = |colour: &P| colour.channels().get(k).copied();
-            let mixed = ink
+            let mixed = self
                 .colours
                 .iter()
                 .zip(share)
                 .filter_map(|(colour, share)| Some(at(colour)?.to_f64()? * share));
             *sample = stored(mixed.sum()).unwrap_or(*sample);
         }
-        put(samples, i, pixel, self.blend);
+        pixel
+    }
+}
+
+/// What the fragments of a piece have in common, whatever the [`Colours`].
+pub(super) enum Ink<P> {
+    Flat(P),
+    Smooth(Gradient<P>),
+}
+
+impl<P: PicturePixel> Ink<P> {
+    /// The colour of the fragment where the edge functions are `edges`.
+    pub(super) fn at(&self, edges: [f64; 3]) -> P {
+        match self {
+            Self::Flat(colour) => *colour,
+            Self::Smooth(gradient) => gradient.at(edges),
+        }
+    }
+}
+
+impl<P: PicturePixel> Colours<'_, P> {
+    /// The ink of a piece of a triangle.
+    pub(super) fn ink(
+        &self,
+        mesh: &Mesh,
+        triangle: usize,
+        weights: &Weights,
+        setup: &Setup<'_>,
+    ) -> Option<Ink<P>> {
+        Some(match *self {
+            Self::One(colour) => Ink::Flat(colour),
+            Self::PerTriangle(colours) => Ink::Flat(*colours.get(triangle)?),
+            Self::PerVertex(colours) => {
+                let triangle = mesh.triangles.get(triangle)?;
+                Ink::Smooth(Gradient::new(colours, triangle, weights, setup)?)
+            }
+        })
     }
 }
 
@@ -204,9 +266,17 @@ impl<P: PicturePixel> Paint for Smooth<'_, P> {
 fn put<P: PicturePixel>(samples: &mut [P::Subpixel], i: usize, pixel: P, blend: Blend) {
     let channels = usize::from(P::CHANNEL_COUNT);
     if let Some(below) = samples.get_mut(i * channels..(i + 1) * channels) {
-        match blend {
-            Blend::Replace => below.copy_from_slice(pixel.channels()),
-            Blend::Over => over(below, pixel),
+        blend.write(below, pixel);
+    }
+}
+
+impl Blend {
+    /// Puts a fragment's colour into a pixel that holds `below`.
+    #[inline(always)]
+    pub(super) fn write<P: PicturePixel>(self, below: &mut [P::Subpixel], pixel: P) {
+        match self {
+            Self::Replace => below.copy_from_slice(pixel.channels()),
+            Self::Over => over(below, pixel),
         }
     }
 }
@@ -252,23 +322,4 @@ fn stored<T: Primitive>(value: f64) -> Option<T> {
     } else {
         value
     })
-}
-
-impl<P> Colours<'_, P> {
-    /// Whether there are as many as there must be.
-    pub(super) fn check(&self, mesh: &Mesh) -> Result<(), DrawError> {
-        let (found, expected, of) = match self {
-            Self::One(_) => return Ok(()),
-            Self::PerTriangle(colours) => (colours.len(), mesh.triangles.len(), "triangles"),
-            Self::PerVertex(colours) => (colours.len(), mesh.positions.len(), "vertices"),
-        };
-        if found == expected {
-            return Ok(());
-        }
-        Err(DrawError::Colours {
-            found,
-            expected,
-            of,
-        })
-    }
 }

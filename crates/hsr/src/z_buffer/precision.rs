@@ -6,7 +6,7 @@
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../../figures/depth-precision.svg"))]
 
-use super::format::DepthFormat;
+use ombra_raster::depth_format::DepthFormat;
 
 /// The two planes of a perspective view.
 #[derive(Clone, Copy)]

@@ -14,6 +14,54 @@ mod levels;
 mod order;
 mod precision;
 
+/// The forms of the z-buffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Plain,
+    Fast,
+    Threads,
+}
+
+fn drawn<F: DepthFormat, P: PicturePixel>(
+    mesh: &Mesh,
+    camera: &Camera,
+    colours: Colours<'_, P>,
+    options: Options,
+    (picture, depth): (&mut Picture<P>, &mut DepthBuffer<F>),
+    form: Form,
+    work: &mut impl Count,
+) -> Result<(), DrawError> {
+    match form {
+        Form::Plain => draw_plain(mesh, camera, colours, options, picture, depth, work),
+        Form::Fast => counted::draw(mesh, camera, colours, options, picture, depth, work),
+        Form::Threads => draw(mesh, camera, colours, options, picture, depth),
+    }
+}
+
+fn depth_drawn<F: DepthFormat>(
+    mesh: &Mesh,
+    camera: &Camera,
+    cull: Cull,
+    depth: &mut DepthBuffer<F>,
+    form: Form,
+    work: &mut impl Count,
+) -> Result<(), DrawError> {
+    match form {
+        Form::Plain => {
+            let (width, height) = depth.dimensions();
+            let mut picture = buffers::new(width, height, Luma([0u8])).unwrap();
+            let options = Options {
+                cull,
+                ..Options::default()
+            };
+            let one = Colours::One(Luma([1]));
+            draw_plain(mesh, camera, one, options, &mut picture, depth, work)
+        }
+        Form::Fast => counted::draw_depth(mesh, camera, cull, depth, work),
+        Form::Threads => draw_depth(mesh, camera, cull, depth),
+    }
+}
+
 fn viewport(width: u32, height: u32) -> Viewport {
     Viewport { width, height }
 }
@@ -86,9 +134,11 @@ fn both_forms_agree<F: DepthFormat + PartialEq>(
     ] {
         let picture = buffers::new(width, height, Rgba([9, 9, 9, 255])).unwrap();
         let (mut plain, mut plain_depth) = (picture.clone(), fresh.clone());
-        draw_plain(mesh, camera, colours, options, &mut plain, &mut plain_depth).unwrap();
+        let target = (&mut plain, &mut plain_depth);
+        drawn(mesh, camera, colours, options, target, Form::Plain, &mut ()).unwrap();
         let (mut fast, mut fast_depth) = (picture, fresh.clone());
-        draw(mesh, camera, colours, options, &mut fast, &mut fast_depth).unwrap();
+        let target = (&mut fast, &mut fast_depth);
+        drawn(mesh, camera, colours, options, target, Form::Threads, &mut ()).unwrap();
         prop_assert_eq!(&plain_depth, &fast_depth);
         prop_assert_eq!(plain, fast);
         let mut alone = fresh.clone();
@@ -99,25 +149,11 @@ fn both_forms_agree<F: DepthFormat + PartialEq>(
     let ids: Vec<_> = (0..mesh.triangles.len()).map(id).collect();
     let picture = buffers::new(width, height, Luma([u32::MAX])).unwrap();
     let (mut plain, mut plain_depth) = (picture.clone(), fresh.clone());
-    draw_plain(
-        mesh,
-        camera,
-        Colours::PerTriangle(&ids),
-        options,
-        &mut plain,
-        &mut plain_depth,
-    )
-    .unwrap();
+    let colours = Colours::PerTriangle(&ids);
+    let target = (&mut plain, &mut plain_depth);
+    drawn(mesh, camera, colours, options, target, Form::Plain, &mut ()).unwrap();
     let (mut fast, mut fast_depth) = (picture, fresh.clone());
-    draw(
-        mesh,
-        camera,
-        Colours::PerTriangle(&ids),
-        options,
-        &mut fast,
-        &mut fast_depth,
-    )
-    .unwrap();
+    draw(mesh, camera, colours, options, &mut fast, &mut fast_depth).unwrap();
     prop_assert_eq!(plain, fast);
     Ok(())
 }

@@ -85,7 +85,7 @@ proptest! {
         let mut depth = DepthBuffer::<Depth16>::new(5, 4).unwrap();
         let _ = draw_depth(&mesh, &camera, Cull::Nothing, &mut depth);
         let mut plain = DepthBuffer::<Depth16>::new(5, 4).unwrap();
-        let _ = draw_depth_plain(&mesh, &camera, Cull::Nothing, &mut plain);
+        let _ = depth_drawn(&mesh, &camera, Cull::Nothing, &mut plain, Form::Plain, &mut ());
         prop_assert_eq!(depth.image(), plain.image());
     }
 }
@@ -110,7 +110,7 @@ fn culling_halves_the_work_and_changes_no_picture_of_a_solid() {
     let run = |cull| {
         let mut depth = DepthBuffer::<Depth24>::new(64, 64).unwrap();
         let mut work = Work::default();
-        draw_depth_counted(&mesh, &camera, cull, &mut depth, &mut work).unwrap();
+        counted::draw_depth(&mesh, &camera, cull, &mut depth, &mut work).unwrap();
         (depth, work)
     };
     let ((all, all_work), (front, front_work), (back, back_work)) =
@@ -141,12 +141,12 @@ fn counts() {
         let mesh = Mesh::new(corners.to_vec(), triangles.to_vec()).unwrap();
         let mut depth = DepthBuffer::<Depth16>::new(4, 4).unwrap();
         let mut work = Work::default();
-        draw_depth_counted(&mesh, &camera, Cull::Nothing, &mut depth, &mut work).unwrap();
+        counted::draw_depth(&mesh, &camera, Cull::Nothing, &mut depth, &mut work).unwrap();
         let mut picture = buffers::new(4, 4, Luma([0u8])).unwrap();
         let mut again = Work::default();
         let mut depth = DepthBuffer::<Depth16>::new(4, 4).unwrap();
         let colours = Colours::One(Luma([1]));
-        draw_counted(
+        counted::draw(
             &mesh,
             &camera,
             colours,
@@ -233,10 +233,10 @@ fn corners_stay_within_the_guard_band() {
             corner,
         ];
         let mesh = Mesh::new(positions, vec![[0, 1, 2]]).unwrap();
-        let scene = Scene::new::<Depth24>(&mesh, &camera, Level::new(), &mut ()).unwrap();
-        let mut pieces = screen::Pieces::default();
+        let projected = Projected::new::<Depth24>(&mesh, &camera, &mut ()).unwrap();
+        let mut pieces = Pieces::default();
         let mut work = Work::default();
-        let found: Vec<_> = scene.pieces(0, &mut pieces, &mut work).iter().collect();
+        let found: Vec<_> = projected.pieces(0, &mut pieces, &mut work).iter().collect();
         assert_eq!(work.vertices > 0, cut, "{far}");
         for corner in found.iter().flat_map(|(corners, _)| corners) {
             let from_the_middle = [corner.x - 8 * 256, corner.y - 256 * 256];
@@ -411,7 +411,15 @@ fn degenerate() {
                 DepthBuffer::<Depth24>::new(width, height).unwrap(),
             );
             draw_depth(mesh, &camera, Cull::Nothing, &mut fast).unwrap();
-            draw_depth_plain(mesh, &camera, Cull::Nothing, &mut plain).unwrap();
+            depth_drawn(
+                mesh,
+                &camera,
+                Cull::Nothing,
+                &mut plain,
+                Form::Plain,
+                &mut (),
+            )
+            .unwrap();
             assert_eq!(fast.image(), plain.image());
         }
     }

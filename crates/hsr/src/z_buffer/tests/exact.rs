@@ -1,129 +1,10 @@
-//! Which pixels and which depths: against the exact cover and exact rationals.
+//! Which pixels and which depths.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use ombra_math::glam::{DMat4, DVec2, DVec4};
+use ombra_math::glam::{DMat4, DVec2};
 use ombra_raster::triangle;
+use ombra_raster::triangle_setup::Corner;
 
 use super::*;
-use crate::z_buffer::screen::{Corner, Scene};
-use crate::z_buffer::setup::Setup;
-
-type R = BigRational;
-
-fn r(x: f64) -> R {
-    R::from_float(x).unwrap()
-}
-
-fn int(x: impl Into<BigInt>) -> R {
-    R::from_integer(x.into())
-}
-
-/// Places in a picture, some far beyond it, some equal, some on pixel centres.
-fn place() -> impl Strategy<Value = [i32; 2]> {
-    let side = prop_oneof![
-        -2000..12_000,
-        (-4..44).prop_map(|i| 128 * i),
-        -(1 << 24)..(1 << 24)
-    ];
-    prop::array::uniform2(side)
-}
-
-fn corners() -> impl Strategy<Value = [Corner; 3]> {
-    let value = prop_oneof![
-        0.0..=1.0f64,
-        (-1074..1).prop_map(|e| libm::scalbn(1.0, e)),
-        Just(0.0)
-    ];
-    let w = 1.0;
-    let corner = (place(), value).prop_map(move |([x, y], value)| Corner { x, y, value, w });
-    prop::array::uniform3(corner)
-}
-
-proptest! {
-    /// The pixels are those of the exact cover of the snapped corners.
-    #[test]
-    fn coverage_is_exact(corners in corners()) {
-        let (width, height) = (40, 36);
-        let points = corners.each_ref().map(|c| DVec2::new(f64::from(c.x), f64::from(c.y)) / 256.0);
-        let mut expected = vec![false; 40 * 36];
-        for span in triangle::cover(points, width, height).unwrap() {
-            for x in span.x {
-                expected[(span.y * width + x) as usize] = true;
-            }
-        }
-        let setup = Setup::new(corners.each_ref(), Cull::Nothing);
-        prop_assert!(setup.is_some() || !expected.contains(&true));
-        let Some(setup) = setup else { return Ok(()) };
-        let [columns, rows] = setup.bounds(width, height);
-        for y in 0..height {
-            for x in 0..width {
-                let inside = setup.edges_at(x, y).is_some();
-                prop_assert_eq!(inside, expected[(y * width + x) as usize], "{} {}", x, y);
-                prop_assert!(!inside || (columns.contains(&x) && rows.contains(&y)));
-            }
-        }
-    }
-
-    /// The depth of the plane through the corners, within 5 roundings relative to it, however thin the triangle.
-    #[test]
-    fn depth_is_within_five_roundings(corners in corners(), near in any::<bool>()) {
-        // Half of the triangles are small: all their pixels are in the picture.
-        let corners = if near {
-            corners.map(|c| Corner { x: c.x.rem_euclid(40 * 256), y: c.y.rem_euclid(36 * 256), ..c })
-        } else {
-            corners
-        };
-        let Some(setup) = Setup::new(corners.each_ref(), Cull::Nothing) else { return Ok(()) };
-        for y in (0..36).step_by(5) {
-            for x in 0..40 {
-                let Some(edges) = setup.edges_at(x, y) else { continue };
-                let value = setup.value(edges);
-                // Cramer's rule on the corners as given.
-                let [a, b, c] = corners;
-                let point = |c: &Corner| [int(c.x), int(c.y)];
-                let p = [int(x * 256 + 128), int(y * 256 + 128)];
-                let area = |[px, py]: [R; 2], [qx, qy]: [R; 2], [sx, sy]: [R; 2]| {
-                    (qx - &px) * (sy - &py) - (qy - py) * (sx - px)
-                };
-                let [pa, pb, pc] = [&a, &b, &c].map(point);
-                let sum = area(p.clone(), pb.clone(), pc.clone()) * r(a.value)
-                    + area(pa.clone(), p.clone(), pc.clone()) * r(b.value)
-                    + area(pa.clone(), pb.clone(), p) * r(c.value);
-                let exact = sum / area(pa, pb, pc);
-                let error = r(value) - &exact;
-                let error = if error < int(0) { -error } else { error };
-                // 5 · 2⁻⁵³; below the range of doubles the dᵢ / E have an error of 2⁻¹⁰⁷⁵, times Eᵢ < 2⁵².
-                let bound = exact.clone() * r(5.01 * f64::EPSILON / 2.0) + r(libm::scalbn(1.0, -1021));
-                prop_assert!(error <= bound, "{} {}: {}", x, y, value);
-                prop_assert!((setup.least..=setup.greatest).contains(&value));
-            }
-        }
-    }
-
-    /// Integers: no other is nearer. f32 is rounded by the processor.
-    #[test]
-    fn integers_are_the_nearest(value in 0.0..=1.0f64, i in 0..(1u32 << 24)) {
-        fn check<F: DepthFormat>(value: f64, max: u32) -> Result<(), TestCaseError>
-        where
-            F::Stored: Into<u32>,
-        {
-            let found: u32 = F::encode(value).into();
-            let scaled = r(value) * int(max);
-            let error = scaled - int(found);
-            let error = if error < int(0) { -error } else { error };
-            // Half a step, and the rounding of the product.
-            prop_assert!(error <= r(0.5) + int(max) * r(f64::EPSILON));
-            let decoded = F::decode(F::encode(value));
-            prop_assert_eq!(F::encode(decoded).into(), found);
-            Ok(())
-        }
-        check::<Depth16>(value, 65_535)?;
-        check::<Depth24>(value, 16_777_215)?;
-        check::<Depth16>((f64::from(i % 65_535) + 0.5) / 65_535.0, 65_535)?;
-        check::<Depth24>((f64::from(i % 16_777_215) + 0.5) / 16_777_215.0, 16_777_215)?;
-    }
-}
 
 /// Centres on the sides of a square: those on its top and left sides are in, however it is made of triangles.
 #[test]
@@ -230,38 +111,6 @@ fn wide_rows_end_where_their_pixels_do() {
     }
 }
 
-#[test]
-fn formats_at_their_ends() {
-    assert_eq!([Depth16::encode(0.0), Depth16::encode(1.0)], [0, 65_535]);
-    assert_eq!([Depth24::encode(0.0), Depth24::encode(1.0)], [0, 0xff_ffff]);
-    assert_eq!([Depth32F::encode(0.0), Depth32F::encode(1.0)], [0.0, 1.0]);
-    let (near, far) = (
-        DVec4::new(3.0, 1.0, -2.0, 2.0),
-        DVec4::new(3.0, 1.0, 2.0, 2.0),
-    );
-    assert_eq!([Depth24::value(near), Depth24::value(far)], [0.0, 1.0]);
-    let reversed = [ReversedDepth32F::value(near), ReversedDepth32F::value(far)];
-    assert_eq!(reversed, [1.0, 0.0]);
-    // (w − z) / 2w with all its digits, where 1 − (w + z) / 2w has none but the first.
-    let nearly_far = DVec4::new(0.0, 0.0, 3.0 - libm::scalbn(1.0, -49), 3.0);
-    assert_eq!(
-        ReversedDepth32F::value(nearly_far),
-        libm::scalbn(1.0, -50) / 3.0
-    );
-    // Beyond half of the largest double.
-    let huge = DVec4::new(0.0, 0.0, 0.0, f64::MAX);
-    assert_eq!(Depth24::value(huge), 0.5);
-    // What is outside the range is stored as something.
-    for value in [f64::NAN, f64::INFINITY, -1.0, 1e300] {
-        let _ = (
-            Depth16::encode(value),
-            Depth24::encode(value),
-            Depth32F::encode(value),
-        );
-    }
-    assert_eq!([Depth16::encode(-1.0), Depth16::encode(2.0)], [0, 65_535]);
-}
-
 /// Near the far plane 1 − d rounded after subtraction has 2⁻⁵³ to lose, not 2⁻²⁴.
 #[test]
 fn reversed_depth_is_not_one_minus_a_rounded_depth() {
@@ -302,9 +151,9 @@ proptest! {
         let position = DVec3::new(x * scale, y * scale, 0.0);
         let camera = Camera { view_projection: DMat4::IDENTITY, viewport: viewport(37, 23) };
         let mesh = Mesh::new(vec![position], vec![]).unwrap();
-        let scene = Scene::new::<Depth24>(&mesh, &camera, Level::new(), &mut ()).unwrap();
+        let projected = Projected::new::<Depth24>(&mesh, &camera, &mut ()).unwrap();
         let expected = triangle::snap(camera.to_pixel(position).unwrap().truncate(), SUBPIXEL_BITS) * 256.0;
-        let found = scene.corner(0).unwrap();
+        let found = projected.corner(0).unwrap();
         prop_assert_eq!(DVec2::new(f64::from(found.x), f64::from(found.y)), expected);
     }
 }

@@ -1,9 +1,11 @@
 //! The same bits from every set of vector instructions that the machine has.
 
-use fearless_simd::Simd;
+use fearless_simd::{Level, Simd};
 use ombra_math::glam::DMat4;
 
 use super::*;
+use crate::z_buffer::fast::{Threads, run};
+use crate::z_buffer::paint::{DepthOnly, Flat, FlatColours, Paint, Smooth};
 
 /// From none to the widest.
 fn levels() -> Vec<Level> {
@@ -41,8 +43,8 @@ fn check<F: DepthFormat + PartialEq>(mesh: &Mesh, camera: &Camera, blend: Blend)
     let background = buffers::new(width, height, Rgba([9, 9, 9, 255])).unwrap();
     let far = DepthBuffer::<F>::new(width, height).unwrap();
     for smooth in [false, true] {
-        let draw = |level: Level, form: Form| {
-            let scene = Scene::new::<F>(mesh, camera, level, &mut ()).unwrap();
+        let draw = |level: Level| {
+            let projected = Projected::at_level::<F>(mesh, camera, level, &mut ()).unwrap();
             let (mut picture, mut depth) = (background.clone(), far.clone());
             if smooth {
                 let paint = Smooth {
@@ -50,53 +52,58 @@ fn check<F: DepthFormat + PartialEq>(mesh: &Mesh, camera: &Camera, blend: Blend)
                     triangles: &mesh.triangles,
                     blend,
                 };
-                run::<F, _, _>(
-                    &scene,
-                    Cull::Nothing,
-                    paint,
-                    &mut depth,
-                    &mut picture,
-                    form,
-                    &mut (),
-                );
+                paint_all(&projected, paint, &mut depth, &mut picture);
             } else {
-                let paint = Flat {
-                    colours: Err(&many[..]),
-                    blend,
-                };
-                run::<F, _, _>(
-                    &scene,
-                    Cull::Nothing,
-                    paint,
+                let colours = FlatColours::PerTriangle(&many);
+                paint_all(
+                    &projected,
+                    Flat { colours, blend },
                     &mut depth,
                     &mut picture,
-                    form,
-                    &mut (),
                 );
             }
             let mut alone = far.clone();
-            run::<F, _, _>(
-                &scene,
-                Cull::Nothing,
-                DepthOnly,
-                &mut alone,
-                &mut [],
-                form,
-                &mut (),
-            );
+            paint_all(&projected, DepthOnly, &mut alone, &mut []);
             assert_eq!(alone, depth);
             (picture.into_raw(), depth)
         };
-        let plain = draw(Level::baseline(), Form::Plain);
+        let colours = if smooth {
+            Colours::PerVertex(&many)
+        } else {
+            Colours::PerTriangle(&many[..mesh.triangles.len()])
+        };
+        let options = Options {
+            blend,
+            ..Options::default()
+        };
+        let (mut picture, mut depth) = (background.clone(), far.clone());
+        draw_plain(
+            mesh,
+            camera,
+            colours,
+            options,
+            &mut picture,
+            &mut depth,
+            &mut (),
+        )
+        .unwrap();
+        let plain = (picture.into_raw(), depth);
         assert!(plain.0.chunks(4).filter(|p| **p != [9, 9, 9, 255]).count() > 1000);
         for level in levels() {
             let name = F::NAME;
-            assert!(
-                draw(level, Form::Fast) == plain,
-                "{name} {level:?} {blend:?}"
-            );
+            assert!(draw(level) == plain, "{name} {level:?} {blend:?}");
         }
     }
+}
+
+fn paint_all<F: DepthFormat, I: Paint>(
+    projected: &Projected<'_>,
+    paint: I,
+    depth: &mut DepthBuffer<F>,
+    samples: &mut [I::Sample],
+) {
+    let (cull, threads) = (Cull::Nothing, Threads::One);
+    run(projected, cull, paint, depth, samples, threads, &mut ());
 }
 
 #[test]

@@ -3,6 +3,10 @@
 use ombra_raster::buffers::image::Rgba;
 
 use super::*;
+#[cfg(feature = "parallel")]
+use crate::z_buffer::fast::{Band, draw_bands};
+#[cfg(feature = "parallel")]
+use crate::z_buffer::paint::{Flat, FlatColours};
 
 const SIZE: (u32, u32) = (48, 40);
 
@@ -76,7 +80,7 @@ fn of_equal_depths_the_first_stays() {
             // One after the other, so that the depths are the same to the last bit.
             for colour in [1, 2] {
                 let target = (&mut picture, &mut depth);
-                drawn::<F, _, _>(
+                drawn(
                     &Mesh {
                         triangles: vec![mesh.triangles[0]],
                         ..mesh.clone()
@@ -193,12 +197,12 @@ fn batches_change_nothing() {
         viewport: viewport(width, height),
         ..front()
     };
-    let scene = Scene::new::<Depth24>(&mesh, &camera, Level::new(), &mut ()).unwrap();
+    let projected = Projected::new::<Depth24>(&mesh, &camera, &mut ()).unwrap();
     let colours: Vec<_> = (0..mesh.triangles.len())
         .map(|i| Rgba([i as u8, (i >> 8) as u8, 7, (i * 13) as u8]))
         .collect();
     let paint = Flat {
-        colours: Err(&colours[..]),
+        colours: FlatColours::PerTriangle(&colours),
         blend: Blend::Over,
     };
     let run = |batch: Option<usize>| {
@@ -211,8 +215,8 @@ fn batches_change_nothing() {
             samples: &mut picture,
         };
         match batch {
-            Some(batch) => threads::draw_bands(&scene, Cull::Nothing, paint, whole, 16, batch),
-            None => whole.draw(&scene, 0..colours.len(), Cull::Nothing, paint, &mut ()),
+            Some(batch) => draw_bands(&projected, Cull::Nothing, paint, whole, 16, batch),
+            None => whole.draw(&projected, 0..colours.len(), Cull::Nothing, paint, &mut ()),
         }
         (picture.into_raw(), depth.into_image().into_raw())
     };

@@ -56,9 +56,35 @@ impl<'a> Ours<'a> {
     pub fn draw_plain(&self, picture: &mut Picture) {
         self.clear_and(
             picture,
-            |depth| z_buffer::draw_depth_plain(&self.mesh, &self.camera, self.cull, depth),
+            |depth| {
+                let options = Options {
+                    cull: self.cull,
+                    ..Options::default()
+                };
+                let (width, height) = depth.dimensions();
+                // The plain form writes a colour as well.
+                let mut image = ImageBuffer::new(width, height);
+                let colours = Colours::One(Rgba(BACKGROUND));
+                z_buffer::draw_plain(
+                    &self.mesh,
+                    &self.camera,
+                    colours,
+                    options,
+                    &mut image,
+                    depth,
+                    &mut (),
+                )
+            },
             |colours, options, image, depth| {
-                z_buffer::draw_plain(&self.mesh, &self.camera, colours, options, image, depth)
+                z_buffer::draw_plain(
+                    &self.mesh,
+                    &self.camera,
+                    colours,
+                    options,
+                    image,
+                    depth,
+                    &mut (),
+                )
             },
         );
     }

@@ -5,29 +5,19 @@
 
 use rayon::prelude::*;
 
-use super::Cull;
-use super::fast::Band;
-use super::format::DepthFormat;
-use super::paint::Paint;
-use super::screen::Scene;
+use ombra_raster::depth_format::DepthFormat;
+use ombra_raster::triangle_setup::Cull;
 
-/// Fewer triangles than this are drawn by one thread.
-const WORTH_IT: usize = 1024;
+use super::band::Band;
+use crate::z_buffer::paint::Paint;
+use crate::z_buffer::projected::Projected;
+
 /// Triangles that a thread sorts into bands at a time.
 const CHUNK: usize = 8192;
 /// Bands for each thread, so that none waits long for the last.
 const BANDS: usize = 8;
 /// Rows of a band at least: a triangle that crosses from one to the next is set up twice.
 const ROWS: usize = 16;
-
-/// How many threads to draw `triangles` with.
-pub(super) fn number(triangles: usize) -> usize {
-    if triangles < WORTH_IT {
-        1
-    } else {
-        rayon::current_num_threads()
-    }
-}
 
 /// Places in the lists of a batch at most: 32 MiB of them, however many triangles there are and however tall.
 const PLACES: usize = 1 << 24;
@@ -38,9 +28,9 @@ fn batch(bands: usize) -> usize {
     chunks.max(1) * CHUNK
 }
 
-/// Draws the whole scene into `whole`, on `threads` threads.
+/// Draws the whole mesh into `whole`, on `threads` threads.
 pub(super) fn draw<F: DepthFormat, I: Paint>(
-    scene: &Scene<'_>,
+    projected: &Projected<'_>,
     cull: Cull,
     paint: I,
     whole: Band<'_, F, I>,
@@ -48,12 +38,12 @@ pub(super) fn draw<F: DepthFormat, I: Paint>(
 ) {
     let rows = (whole.rows.len().div_ceil(threads * BANDS)).max(ROWS);
     let batch = batch(whole.rows.len().div_ceil(rows));
-    draw_bands(scene, cull, paint, whole, rows, batch);
+    draw_bands(projected, cull, paint, whole, rows, batch);
 }
 
 /// [`draw`] in bands of `rows` rows, `batch` triangles at a time.
-pub(super) fn draw_bands<F: DepthFormat, I: Paint>(
-    scene: &Scene<'_>,
+pub(in crate::z_buffer) fn draw_bands<F: DepthFormat, I: Paint>(
+    projected: &Projected<'_>,
     cull: Cull,
     paint: I,
     whole: Band<'_, F, I>,
@@ -63,13 +53,13 @@ pub(super) fn draw_bands<F: DepthFormat, I: Paint>(
     let height = whole.rows.end;
     let mut bands: Vec<_> = whole.split(rows).collect();
     let count = bands.len();
-    let expected = scene.triangles.len().min(CHUNK) / count.max(1);
-    for (number, triangles) in scene.triangles.chunks(batch).enumerate() {
+    let expected = projected.triangles.len().min(CHUNK) / count.max(1);
+    for (number, triangles) in projected.triangles.chunks(batch).enumerate() {
         // For each chunk of triangles, for each band: which of them are in it, counted from the chunk's first.
         let bins_of = |triangles: &[[u32; 3]]| {
             let mut bins: Vec<_> = (0..count).map(|_| Vec::with_capacity(expected)).collect();
             for (i, triangle) in (0u16..).zip(triangles) {
-                let reach = scene.rows(triangle, height);
+                let reach = projected.rows(triangle, height);
                 let first = reach.start as usize / rows;
                 let end = (reach.end as usize).div_ceil(rows);
                 for bin in bins.iter_mut().take(end).skip(first) {
@@ -86,7 +76,7 @@ pub(super) fn draw_bands<F: DepthFormat, I: Paint>(
                 let bin = bins.get(b).map_or(&[][..], Vec::as_slice);
                 bin.iter().map(move |&i| start + usize::from(i))
             });
-            band.draw(scene, numbers, cull, paint, &mut ());
+            band.draw(projected, numbers, cull, paint, &mut ());
         });
     }
 }
@@ -98,7 +88,7 @@ mod tests {
     /// Every triangle in every band, on any machine: a picture has 2¹⁵ rows at most.
     #[test]
     fn lists_are_bounded() {
-        for bands in 0..=super::super::MAX_SIDE as usize / ROWS {
+        for bands in 0..=crate::z_buffer::MAX_SIDE as usize / ROWS {
             let batch = batch(bands);
             assert!(batch * bands <= PLACES && batch.is_multiple_of(CHUNK) && batch > 0);
         }

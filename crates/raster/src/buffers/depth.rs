@@ -1,16 +1,17 @@
 //! The depth buffer: a depth for every pixel.
 
-use ombra_raster::buffers::image::{ImageBuffer, Luma};
-use ombra_raster::buffers::{self, BufferError};
+use image::Luma;
 
-use super::format::DepthFormat;
+use super::{BufferError, Picture};
+use crate::depth_format::DepthFormat;
 
 /// A stored depth for every pixel.
 ///
 /// # Examples
 ///
 /// ```
-/// use ombra_hsr::z_buffer::{Depth16, DepthBuffer};
+/// use ombra_raster::buffers::DepthBuffer;
+/// use ombra_raster::depth_format::Depth16;
 ///
 /// let depth: DepthBuffer<Depth16> = DepthBuffer::new(640, 480).unwrap();
 /// assert_eq!(depth.stored(0, 0), Some(65_535));
@@ -23,7 +24,7 @@ use super::format::DepthFormat;
 /// Grafica 3, «Algoritmo Z-Buffer»: of the size of the picture, first filled with the greatest distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DepthBuffer<F: DepthFormat> {
-    image: ImageBuffer<Luma<F::Stored>, Vec<F::Stored>>,
+    image: Picture<Luma<F::Stored>>,
 }
 
 impl<F: DepthFormat> DepthBuffer<F> {
@@ -33,7 +34,7 @@ impl<F: DepthFormat> DepthBuffer<F> {
     ///
     /// [`BufferError::TooLarge`], before anything is allocated.
     pub fn new(width: u32, height: u32) -> Result<Self, BufferError> {
-        let image = buffers::new(width, height, Luma([F::FAR]))?;
+        let image = super::new(width, height, Luma([F::FAR]))?;
         Ok(Self { image })
     }
 
@@ -55,7 +56,17 @@ impl<F: DepthFormat> DepthBuffer<F> {
         self.image.get_pixel_checked(x, y).map(|p| p.0[0])
     }
 
-    /// The depth of a pixel, 0 on the near plane and 1 on the far one, as far as the format kept it.
+    /// What is stored for a pixel, to be changed, or `None` outside the picture.
+    pub fn stored_mut(&mut self, x: u32, y: u32) -> Option<&mut F::Stored> {
+        self.image.get_pixel_mut_checked(x, y).map(|p| &mut p.0[0])
+    }
+
+    /// The depth of a pixel, 0 on the near plane and 1 on the far one, as far as the format kept it; `None` outside
+    /// the picture.
+    ///
+    /// # Properties
+    ///
+    /// - Error: ½ ε of itself, from what is stored
     #[must_use]
     pub fn depth(&self, x: u32, y: u32) -> Option<f64> {
         let value = F::decode(self.stored(x, y)?);
@@ -64,17 +75,18 @@ impl<F: DepthFormat> DepthBuffer<F> {
 
     /// The stored values as a picture.
     #[must_use]
-    pub fn image(&self) -> &ImageBuffer<Luma<F::Stored>, Vec<F::Stored>> {
+    pub fn image(&self) -> &Picture<Luma<F::Stored>> {
         &self.image
     }
 
     /// The stored values as a picture.
     #[must_use]
-    pub fn into_image(self) -> ImageBuffer<Luma<F::Stored>, Vec<F::Stored>> {
+    pub fn into_image(self) -> Picture<Luma<F::Stored>> {
         self.image
     }
 
-    pub(super) fn values_mut(&mut self) -> &mut [F::Stored] {
+    /// The stored values, row after row from the top.
+    pub fn values_mut(&mut self) -> &mut [F::Stored] {
         &mut self.image
     }
 }

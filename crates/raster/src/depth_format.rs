@@ -1,18 +1,22 @@
 //! How a depth is stored: 16 bits, 24 bits, floating point, floating point reversed.
+//!
+//! The depth of what the eye sees is a number from 0 on the near plane to 1 on the far one. A
+//! [`DepthBuffer`](crate::buffers::DepthBuffer) keeps it in few digits; each format is a type.
 
 use core::fmt::Debug;
 
+use image::Primitive;
 use ombra_math::glam::DVec4;
-use ombra_raster::buffers::U24;
-use ombra_raster::buffers::image::Primitive;
+
+use crate::buffers::U24;
 
 /// A way to store depths; the z-buffer is one and the same for all.
 ///
-/// Sealed: the formats are [`Depth16`], [`Depth24`], [`Depth32F`] and [`ReversedDepth32F`]. The fast form of the z-buffer
-/// relies on more than these methods say.
+/// Sealed: the formats are [`Depth16`], [`Depth24`], [`Depth32F`] and [`ReversedDepth32F`]. The fast form of the
+/// z-buffer relies on more than these methods say.
 ///
 /// ```compile_fail,E0277
-/// use ombra_hsr::z_buffer::DepthFormat;
+/// use ombra_raster::depth_format::DepthFormat;
 ///
 /// #[derive(Clone, Copy, Debug)]
 /// struct Mine;
@@ -21,6 +25,7 @@ use ombra_raster::buffers::image::Primitive;
 ///     const NAME: &'static str = "8 bits";
 ///     const REVERSED: bool = false;
 ///     const FAR: u8 = 255;
+///     const NEVER: f64 = 2.0;
 ///     fn encode(value: f64) -> u8 { (255.0 * value) as u8 }
 ///     fn decode(stored: u8) -> f64 { f64::from(stored) / 255.0 }
 ///     fn spacing(_: f64) -> f64 { 1.0 / 255.0 }
@@ -46,7 +51,7 @@ use ombra_raster::buffers::image::Primitive;
 /// # Examples
 ///
 /// ```
-/// use ombra_hsr::z_buffer::{Depth16, Depth32F, DepthFormat, ReversedDepth32F};
+/// use ombra_raster::depth_format::{Depth16, Depth32F, DepthFormat, ReversedDepth32F};
 ///
 /// // Two depths near the far plane, a millionth of a millionth apart.
 /// let [a, b] = [1e-9, 1.001e-9];
@@ -69,15 +74,25 @@ pub trait DepthFormat: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     const REVERSED: bool;
     /// The stored value of the far plane, which a cleared buffer holds.
     const FAR: Self::Stored;
+    /// A value beyond the far plane: as it is stored, it is nearer than nothing.
+    const NEVER: f64;
 
     /// A value 0 … 1, of depth or 1 − depth as the format wants it, as it is stored: rounded to nearest. What lies
     /// outside is taken to the nearer end by the formats in bits, and kept by those in floating point.
     fn encode(value: f64) -> Self::Stored;
 
     /// What a stored value stands for: a value 0 … 1, of depth or 1 − depth.
+    ///
+    /// # Properties
+    ///
+    /// - Error: ½ ε of itself in bits, 0 in floating point
     fn decode(stored: Self::Stored) -> f64;
 
     /// How far stored values are apart around `value`, of 0 … 1.
+    ///
+    /// # Properties
+    ///
+    /// - Error: ½ ε of itself in bits, 0 in floating point
     fn spacing(value: f64) -> f64;
 
     /// Whether `a` is strictly nearer to the eye than `b`.
@@ -93,6 +108,10 @@ pub trait DepthFormat: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     }
 
     /// The value of a point in clip space; 0 … 1 between near and far.
+    ///
+    /// # Properties
+    ///
+    /// - Error: ε of itself, short of underflow
     #[inline(always)]
     fn value(p_clip: DVec4) -> f64 {
         let z = if Self::REVERSED { -p_clip.z } else { p_clip.z };
@@ -102,27 +121,13 @@ pub trait DepthFormat: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
 }
 
 /// Keeps implementations inside.
-pub(super) mod sealed {
-    pub trait Sealed {
-        /// A value that is nearer than nothing: beyond the far plane.
-        const NEVER: f64;
-    }
+mod sealed {
+    pub trait Sealed {}
 
-    impl Sealed for super::Depth16 {
-        const NEVER: f64 = 2.0;
-    }
-
-    impl Sealed for super::Depth24 {
-        const NEVER: f64 = 2.0;
-    }
-
-    impl Sealed for super::Depth32F {
-        const NEVER: f64 = 2.0;
-    }
-
-    impl Sealed for super::ReversedDepth32F {
-        const NEVER: f64 = -1.0;
-    }
+    impl Sealed for super::Depth16 {}
+    impl Sealed for super::Depth24 {}
+    impl Sealed for super::Depth32F {}
+    impl Sealed for super::ReversedDepth32F {}
 }
 
 /// Depth in 16 bits.
@@ -146,6 +151,7 @@ impl DepthFormat for Depth16 {
     const NAME: &'static str = "16 bits";
     const REVERSED: bool = false;
     const FAR: u16 = u16::MAX;
+    const NEVER: f64 = 2.0;
 
     #[inline(always)]
     fn encode(value: f64) -> u16 {
@@ -167,6 +173,7 @@ impl DepthFormat for Depth24 {
     const NAME: &'static str = "24 bits";
     const REVERSED: bool = false;
     const FAR: u32 = U24::MAX.get();
+    const NEVER: f64 = 2.0;
 
     #[inline(always)]
     fn encode(value: f64) -> u32 {
@@ -188,6 +195,7 @@ impl DepthFormat for Depth32F {
     const NAME: &'static str = "f32";
     const REVERSED: bool = false;
     const FAR: f32 = 1.0;
+    const NEVER: f64 = 2.0;
 
     #[inline(always)]
     fn encode(value: f64) -> f32 {
@@ -209,6 +217,7 @@ impl DepthFormat for ReversedDepth32F {
     const NAME: &'static str = "f32 reversed";
     const REVERSED: bool = true;
     const FAR: f32 = 0.0;
+    const NEVER: f64 = -1.0;
 
     #[inline(always)]
     fn encode(value: f64) -> f32 {
@@ -242,3 +251,6 @@ fn spacing_f32(value: f64) -> f64 {
     };
     libm::scalbn(1.0, exponent.max(-126) - 23)
 }
+
+#[cfg(test)]
+mod tests;

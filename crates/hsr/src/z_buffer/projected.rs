@@ -1,37 +1,19 @@
 //! From a mesh to triangles of the picture: transformed, clipped where need be, snapped to sub-pixels.
 
-use core::ops::Range;
-
 use fearless_simd::{Level, dispatch};
 use ombra_clip::homogeneous::{Vertex, clip_polygon};
 use ombra_math::camera::Camera;
-use ombra_math::glam::{DMat4, DVec3, DVec4};
+use ombra_math::glam::{DMat4, DVec2, DVec3, DVec4};
 use ombra_math::mesh::Mesh;
 use ombra_math::view::Viewport;
 use ombra_math::work::{Count, Counter};
+use ombra_raster::depth_format::DepthFormat;
+use ombra_raster::triangle_setup::Corner;
 
-use super::DrawError;
-use super::format::DepthFormat;
+use super::error::{DrawError, MAX_SIDE};
 
-/// Vertices are moved to multiples of 2⁻⁸ of a pixel.
-pub const SUBPIXEL_BITS: u32 = 8;
-/// Sub-pixels in a pixel.
-pub(super) const SUBPIXELS: i32 = 1 << SUBPIXEL_BITS;
-/// The longest side of a picture that is drawn: coordinates of 26 bits, products of 52, exact in a double.
-pub const MAX_SIDE: u32 = 1 << 15;
 /// Corners lie at most 2¹⁶ pixels from the middle of the picture.
 const GUARD_LOG: u32 = 16;
-
-/// A vertex in the picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Corner {
-    /// In sub-pixels.
-    pub(super) x: i32,
-    pub(super) y: i32,
-    /// What the depth format interpolates, 0 … 1.
-    pub(super) value: f64,
-    pub(super) w: f64,
-}
 
 /// Where each corner of a piece of a triangle is in the triangle: the shares of its three corners.
 pub(super) type Weights = [[f64; 3]; 3];
@@ -123,13 +105,9 @@ impl Screen {
         let [x, y] = [p.x / p.w, p.y / p.w];
         let x = 0.5 * (x + 1.0) * self.width;
         let y = 0.5 * (1.0 - y) * self.height;
-        Corner {
-            x: nearest_subpixel(x),
-            y: nearest_subpixel(y),
-            // In the view volume, but rounded otherwise than the clip coordinates.
-            value: if depth > 0.0 { depth / p.w } else { 0.0 },
-            w: p.w,
-        }
+        // In the view volume, but rounded otherwise than the clip coordinates.
+        let value = if depth > 0.0 { depth / p.w } else { 0.0 };
+        Corner::snapped(DVec2::new(x, y), value, p.w)
     }
 }
 
@@ -152,27 +130,8 @@ fn along(row: DVec4, p: DVec3) -> f64 {
     row.x * p.x + row.y * p.y + row.z * p.z + row.w
 }
 
-/// ⌊x · 2⁸ + ½⌋ for |x| < 2¹⁸.
-#[inline(always)]
-fn nearest_subpixel(x: f64) -> i32 {
-    // All sums are far from 2⁵², where a half would be lost.
-    let floor = (x * f64::from(SUBPIXELS) + 0.5).floor();
-    // Of what is in range, the integer is in the last digits, below 2⁵² + 2⁵¹.
-    const INTEGERS: f64 = (3u64 << 51) as f64;
-    (floor + INTEGERS).to_bits() as i32
-}
-
-/// The pixels, of `side`, whose centres are between two coordinates in sub-pixels.
-#[inline(always)]
-pub(super) fn centres(least: i32, greatest: i32, side: u32) -> Range<u32> {
-    // ⌈x − ½⌉ to ⌊x − ½⌋, in pixels.
-    let first = ((least + SUBPIXELS / 2 - 1) >> SUBPIXEL_BITS).max(0) as u32;
-    let end = ((greatest + SUBPIXELS / 2) >> SUBPIXEL_BITS).max(0) as u32;
-    first..end.min(side)
-}
-
 /// A mesh as a camera sees it.
-pub(super) struct Scene<'a> {
+pub(super) struct Projected<'a> {
     pub(super) triangles: &'a [[u32; 3]],
     positions: &'a [DVec3],
     matrix: DMat4,
@@ -184,9 +143,18 @@ pub(super) struct Scene<'a> {
     codes: Vec<Outcode>,
 }
 
-impl<'a> Scene<'a> {
+impl<'a> Projected<'a> {
     /// Checks the input and transforms every vertex once.
     pub(super) fn new<F: DepthFormat>(
+        mesh: &'a Mesh,
+        camera: &Camera,
+        work: &mut impl Count,
+    ) -> Result<Self, DrawError> {
+        Self::at_level::<F>(mesh, camera, Level::new(), work)
+    }
+
+    /// [`Self::new`] with a choice of vector instructions.
+    pub(super) fn at_level<F: DepthFormat>(
         mesh: &'a Mesh,
         camera: &Camera,
         level: Level,
@@ -201,7 +169,7 @@ impl<'a> Scene<'a> {
             }
         }
         let vertices = mesh.positions.len();
-        let mut scene = Self {
+        let mut projected = Self {
             triangles: &mesh.triangles,
             positions: &mesh.positions,
             matrix,
@@ -211,9 +179,9 @@ impl<'a> Scene<'a> {
             corners: vec![Corner::default(); vertices],
             codes: vec![0; vertices],
         };
-        scene.transform()?;
+        projected.transform()?;
         work.add(Counter::Vertices, vertices as u64);
-        Ok(scene)
+        Ok(projected)
     }
 
     fn transform(&mut self) -> Result<(), DrawError> {
@@ -243,6 +211,12 @@ impl<'a> Scene<'a> {
         self.corners.get(i).copied()
     }
 
+    #[inline(always)]
+    fn code(&self, vertex: u32) -> Outcode {
+        let code = self.codes.get(vertex as usize);
+        code.copied().unwrap_or(PLANES)
+    }
+
     /// Triangle `i` in the picture: no piece if it is outside the view volume, one if it need not be clipped. What
     /// clipping makes is put into `cut`.
     #[inline(always)]
@@ -260,8 +234,7 @@ impl<'a> Scene<'a> {
         let Some(triangle @ &[a, b, c]) = self.triangles.get(i) else {
             return nothing;
         };
-        let code = |i: u32| self.codes.get(i as usize).copied().unwrap_or(PLANES);
-        let [a, b, c] = [code(a), code(b), code(c)];
+        let [a, b, c] = [self.code(a), self.code(b), self.code(c)];
         if a & b & c & PLANES != 0 {
             return nothing;
         }
@@ -282,9 +255,9 @@ impl<'a> Scene<'a> {
 
     /// The rows that triangle `i` may have pixels in; all where it must be clipped.
     #[cfg(feature = "parallel")]
-    pub(super) fn rows(&self, &[a, b, c]: &[u32; 3], height: u32) -> Range<u32> {
-        let code = |i: u32| self.codes.get(i as usize).copied().unwrap_or(PLANES);
-        let codes = [code(a), code(b), code(c)];
+    pub(super) fn rows(&self, &[a, b, c]: &[u32; 3], height: u32) -> core::ops::Range<u32> {
+        use ombra_raster::triangle_setup::centres;
+        let codes = [self.code(a), self.code(b), self.code(c)];
         let y = |i: u32| self.corners.get(i as usize).map_or(0, |corner| corner.y);
         let [a, b, c] = [y(a), y(b), y(c)];
         match codes
@@ -359,35 +332,36 @@ fn check_indices(mesh: &Mesh) -> Result<(), DrawError> {
     Ok(())
 }
 
-/// Calls `part` for all vertices, in parts on several threads; whether it always answered yes.
+/// How many threads to use for so many vertices or triangles: a few are done by one.
 #[cfg(feature = "parallel")]
+pub(super) fn threads_for(items: usize) -> usize {
+    const WORTH_IT: usize = 1024;
+    if items < WORTH_IT {
+        1
+    } else {
+        rayon::current_num_threads()
+    }
+}
+
+/// Calls `part` for all vertices, in parts on several threads; whether it always answered yes.
 fn transform_all(
     positions: &[DVec3],
     corners: &mut [Corner],
     codes: &mut [Outcode],
     part: impl Fn(&[DVec3], &mut [Corner], &mut [Outcode]) -> bool + Sync,
 ) -> bool {
-    use rayon::prelude::*;
-    const CHUNK: usize = 4096;
-    if super::threads::number(positions.len()) == 1 {
-        return part(positions, corners, codes);
+    #[cfg(feature = "parallel")]
+    if threads_for(positions.len()) > 1 {
+        use rayon::prelude::*;
+        const CHUNK: usize = 4096;
+        let out = corners
+            .par_chunks_mut(CHUNK)
+            .zip(codes.par_chunks_mut(CHUNK));
+        let parts = positions.par_chunks(CHUNK).zip(out);
+        return parts
+            .map(|(positions, (corners, codes))| part(positions, corners, codes))
+            .reduce(|| true, |a, b| a && b);
     }
-    let out = corners
-        .par_chunks_mut(CHUNK)
-        .zip(codes.par_chunks_mut(CHUNK));
-    let parts = positions.par_chunks(CHUNK).zip(out);
-    parts
-        .map(|(positions, (corners, codes))| part(positions, corners, codes))
-        .reduce(|| true, |a, b| a && b)
-}
-
-#[cfg(not(feature = "parallel"))]
-fn transform_all(
-    positions: &[DVec3],
-    corners: &mut [Corner],
-    codes: &mut [Outcode],
-    part: impl Fn(&[DVec3], &mut [Corner], &mut [Outcode]) -> bool,
-) -> bool {
     part(positions, corners, codes)
 }
 
