@@ -1,7 +1,232 @@
 //! The formula of precision against what is stored and what is drawn.
 
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
+
 use super::*;
 use crate::z_buffer::precision::{depth_at, depth_step, fighting_distance, separable_distance};
+
+type R = BigRational;
+
+fn r(x: f64) -> R {
+    R::from_float(x).unwrap()
+}
+
+fn int(x: i32) -> R {
+    R::from_integer(BigInt::from(x))
+}
+
+/// A perspective view in rationals; 1 / far, which may be 0.
+#[derive(Debug)]
+struct Exact {
+    near: R,
+    inverse_far: R,
+}
+
+impl Exact {
+    fn new(near: f64, far: f64) -> Self {
+        let inverse_far = if far < f64::INFINITY {
+            r(far).recip()
+        } else {
+            int(0)
+        };
+        let near = r(near);
+        Self { near, inverse_far }
+    }
+
+    /// (f − n) / f.
+    fn share(&self) -> R {
+        int(1) - &self.near * &self.inverse_far
+    }
+
+    fn depth(&self, distance: &R) -> R {
+        (int(1) - &self.near / distance) / self.share()
+    }
+
+    fn value<F: DepthFormat>(&self, distance: &R) -> R {
+        let depth = self.depth(distance);
+        if F::REVERSED { int(1) - depth } else { depth }
+    }
+
+    /// The step where stored values are `spacing` apart.
+    fn step(&self, distance: &R, spacing: &R) -> R {
+        spacing * distance * distance / &self.near * self.share()
+    }
+
+    /// The spacings that a value within 2½ ε of the true one may have: two beside a power of two.
+    fn spacings<F: DepthFormat>(&self, distance: &R) -> [R; 2] {
+        let value = self.value::<F>(distance);
+        // 24 bits are 24 ones below; f32 is all powers of two.
+        let bits = match F::NAME {
+            "16 bits" => Some(16),
+            "24 bits" => Some(24),
+            _ => None,
+        };
+        [-3.0, 3.0].map(|roundings| match bits {
+            Some(bits) => (R::from_integer(BigInt::from(1) << bits) - int(1)).recip(),
+            None => r(F::spacing(
+                (&value * (int(1) + r(roundings * f64::EPSILON)))
+                    .to_f64()
+                    .unwrap(),
+            )),
+        })
+    }
+}
+
+/// `bound` in ε, and half of the smallest double.
+fn is_within(found: f64, exact: &R, bound: f64) -> bool {
+    let slack = exact.abs() * r(bound * f64::EPSILON) + r(f64::from_bits(1)) / int(2);
+    found.is_finite() && (r(found) - exact).abs() <= slack
+}
+
+/// Near and far planes and a distance between: volumes a rounding thick and without end, of all sizes.
+fn volumes() -> impl Strategy<Value = [f64; 3]> {
+    let near = (1.0..2.0f64, -1074..1020).prop_map(|(m, e)| libm::scalbn(m, e));
+    let ratio = prop_oneof![
+        (1..9u64).prop_map(|k| 1.0 + k as f64 * f64::EPSILON),
+        (1.0..2.0f64, -52..0).prop_map(|(m, e)| 1.0 + libm::scalbn(m, e)),
+        (1.0..2.0f64, 0..1000).prop_map(|(m, e)| libm::scalbn(m, e)),
+        Just(f64::INFINITY),
+    ];
+    let place = (0..4, 0.0..=1.0f64, 0..52i32);
+    (near, ratio, place).prop_map(|(near, ratio, (kind, share, e))| {
+        let far = (near * ratio).max(near.next_up());
+        let [least, greatest] = [near, far.min(f64::MAX)];
+        let distance = match kind {
+            0 => least * (1.0 + libm::scalbn(share, -e)),
+            1 => greatest * (1.0 - libm::scalbn(share, -e)),
+            2 => least + share * (greatest - least),
+            // Between them in size.
+            _ => libm::pow(greatest / 2.0, share) * libm::pow(least, 1.0 - share),
+        };
+        [near, far, distance.clamp(least, greatest)]
+    })
+}
+
+fn check_step<F: DepthFormat>([near, far, distance]: [f64; 3]) -> Result<(), TestCaseError> {
+    let exact = Exact::new(near, far);
+    let z = r(distance);
+    let found = depth_step::<F>(near, far, distance).unwrap();
+    let fits = exact.spacings::<F>(&z).iter().any(|spacing| {
+        let step = exact.step(&z, spacing);
+        is_within(found, &step, 3.5) || (step > r(f64::MAX) && found == f64::INFINITY)
+    });
+    prop_assert!(fits, "{}: {:e}", F::NAME, found);
+    Ok(())
+}
+
+/// Before the answer no step is as large as the gap, and there one is: for a gap a few roundings off.
+fn check_fight<F: DepthFormat>([near, far, _]: [f64; 3], gap: f64) -> Result<(), TestCaseError> {
+    let exact = Exact::new(near, far);
+    let greatest_step = |z: &R| {
+        let steps = exact
+            .spacings::<F>(z)
+            .map(|spacing| exact.step(z, &spacing));
+        steps.into_iter().max().unwrap()
+    };
+    let name = F::NAME;
+    let found = fighting_distance::<F>(near, far, gap);
+    let nearly = |gap: f64, roundings: f64| r(gap) * (int(1) + r(roundings * f64::EPSILON));
+    // The step grows with the distance; only reversed it falls by half where the value falls below a power of two. There,
+    // before `end`, it may be the greatest: the two powers for which it is, by rounded logarithms.
+    let turns = |end: &R| -> Vec<R> {
+        let mut powers: Vec<i32> = (-149..0).filter(|_| F::REVERSED).collect();
+        let at = |e: i32| {
+            let value = r(libm::scalbn(1.0, e));
+            let depth = int(1) - &value;
+            &exact.near / (value + depth * &exact.near * &exact.inverse_far)
+        };
+        let end_log = libm::log2(end.to_f64().unwrap());
+        let log = |e: i32| libm::log2(near) - libm::log2(libm::scalbn(1.0, e) + near / far);
+        powers.retain(|&e| log(e) < end_log);
+        powers.sort_by(|&a, &b| {
+            let key = |e: i32| f64::from(e.max(-126)) + 2.0 * log(e);
+            key(b).total_cmp(&key(a))
+        });
+        let places = powers.into_iter().take(2).map(at);
+        let places = places.flat_map(|z| [-6.0, 6.0].map(|k| &z * (int(1) + r(k * f64::EPSILON))));
+        let before = places.filter(|z| *z >= exact.near && z < end);
+        before.chain([end.clone()]).collect()
+    };
+    let end = match found {
+        Some(z) => {
+            prop_assert!((near..=far).contains(&z));
+            let places = [-5.0, 0.0, 5.0].map(|k| r(z) * (int(1) + r(k * f64::EPSILON)));
+            let greatest = places.iter().map(greatest_step).max().unwrap();
+            prop_assert!(greatest >= nearly(gap, -12.0), "{}: not at {:e}", name, z);
+            (r(z) * (int(1) - r(5.0 * f64::EPSILON))).max(exact.near.clone())
+        }
+        None if far < f64::INFINITY => r(far) * (int(1) - r(5.0 * f64::EPSILON)),
+        None => r(f64::MAX),
+    };
+    if end <= exact.near {
+        return Ok(());
+    }
+    for z in turns(&end) {
+        let least = exact
+            .spacings::<F>(&z)
+            .map(|spacing| exact.step(&z, &spacing));
+        let least = least.into_iter().min().unwrap();
+        prop_assert!(
+            least <= nearly(gap, 12.0),
+            "{}: {:?}, but at {:?}",
+            name,
+            found,
+            z.to_f64()
+        );
+    }
+    Ok(())
+}
+
+proptest! {
+    #[test]
+    fn depths_keep_their_digits_in_every_volume(volume in volumes()) {
+        let [near, far, distance] = volume;
+        let exact = Exact::new(near, far).depth(&r(distance));
+        let found = depth_at(near, far, distance).unwrap();
+        prop_assert!(is_within(found, &exact, 2.5), "{:e}", found);
+        prop_assert!((0.0..=1.0).contains(&found));
+    }
+
+    #[test]
+    fn steps_keep_their_digits_in_every_volume(volume in volumes()) {
+        check_step::<Depth16>(volume)?;
+        check_step::<Depth24>(volume)?;
+        check_step::<Depth32F>(volume)?;
+        check_step::<ReversedDepth32F>(volume)?;
+    }
+
+    #[test]
+    fn fights_begin_where_the_step_is_the_gap(volume in volumes(), e in -40..3i32, any in -1000..1000i32, free in any::<bool>()) {
+        let [near, far, distance] = volume;
+        let gap = if free { libm::scalbn(1.37, any) } else { libm::scalbn(distance, e).max(f64::from_bits(1)) };
+        if gap < f64::INFINITY && near.is_normal() {
+            check_fight::<Depth16>([near, far, distance], gap)?;
+            check_fight::<Depth24>([near, far, distance], gap)?;
+            check_fight::<Depth32F>([near, far, distance], gap)?;
+            check_fight::<ReversedDepth32F>([near, far, distance], gap)?;
+        }
+    }
+}
+
+/// A volume of a millionth of a millionth of its distance, seen at its far plane and in its middle.
+#[test]
+fn thin_volumes() {
+    let (near, far) = (0.1, 0.1 * (1.0 + 1e-12));
+    assert_eq!(depth_at(near, far, far), Some(1.0));
+    assert_eq!(depth_at(near, f64::INFINITY, f64::MAX), Some(1.0));
+    let middle = 0.5 * (near + far);
+    let found = depth_at(near, far, middle).unwrap();
+    let exact = Exact::new(near, far).depth(&r(middle));
+    assert!(is_within(found, &exact, 2.5), "{found}");
+    // 65 535 steps from end to end.
+    let step = depth_step::<Depth16>(near, far, middle).unwrap();
+    assert!(
+        (65_535.0 * step / (far - near) - 1.0).abs() <= 1e-11,
+        "{step}"
+    );
+}
 
 /// The measured step is the formula's, to second order, where it is neither cut off by a plane nor at a power of two.
 fn step_is_found<F: DepthFormat>(near: f64, far: f64, distance: f64) {
