@@ -10,6 +10,7 @@
 //! | [`halfway`] | whether a double is the nearest one, by the points half way to its neighbours |
 //! | [`whole_faces`] | faces with whole-number corners, and viewers of them |
 //! | [`cases`] | random input spread over the whole range of exponents, a third of it next to a degenerate case |
+//! | [`sources`] | what the crates offer, read from their sources |
 //! | [`topic_index`] | the README's table of topics, taken apart |
 
 pub mod cases;
@@ -18,5 +19,6 @@ pub mod halfway;
 pub mod pixel;
 pub mod region;
 pub mod shadow;
+pub mod sources;
 pub mod topic_index;
 pub mod whole_faces;
