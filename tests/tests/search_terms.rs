@@ -107,7 +107,7 @@ const TERMS: &[(&str, &str)] = &[
     ("alpha blending", "ombra_hsr::z_buffer::Blend"),
     ("face culling", "ombra_hsr::z_buffer::Cull"),
     ("glCullFace", "ombra_hsr::z_buffer::Cull"),
-    ("painter's algorithm", "ombra_hsr::painter"),
+    ("painters algorithm", "ombra_hsr::painter"),
     ("depth sort", "ombra_hsr::painter"),
     ("Newell", "ombra_hsr::painter::order_by_cutting"),
     ("cyclic overlap", "ombra_hsr::painter::Cycle"),
