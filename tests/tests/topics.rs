@@ -152,7 +152,7 @@ fn existing() -> Existing {
     Existing {
         modules,
         children,
-        figures: ombra_figures::figure::figures()
+        figures: ombra_figures::course::figures()
             .iter()
             .map(|f| f.id.to_owned())
             .collect(),

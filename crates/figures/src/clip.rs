@@ -1,5 +1,6 @@
 //! Figures of the clipping lecture: what is kept is vermilion, what is cut off faint and dashed.
 
+mod board;
 mod cohen_sutherland;
 mod outcodes;
 mod point_window;
@@ -7,16 +8,7 @@ mod polygon_cases;
 mod segment_cases;
 mod sutherland_hodgman;
 
-use ombra_clip::Window;
-use ombra_math::glam::DVec2;
-
-use crate::colour::{Ink, Role};
-use crate::drawing::{NORMAL, Pen, THIN};
-use crate::error::FigureError;
 use crate::figure::Figure;
-use crate::path::{Path, Rect};
-use crate::section::Section;
-use crate::sheet::{Label, Sheet};
 
 /// In the order of the lecture.
 pub(crate) const FIGURES: &[Figure] = &[
@@ -27,97 +19,3 @@ pub(crate) const FIGURES: &[Figure] = &[
     sutherland_hodgman::FIGURE,
     polygon_cases::FIGURE,
 ];
-
-/// A window on the canvas and the part of the plane shown around it.
-struct Board {
-    window: Window,
-    section: Section,
-    shown: Window,
-}
-
-impl Board {
-    /// `shown` as large as it fits into `frame`.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Section::fit`].
-    fn fit(window: Window, shown: Window, frame: Rect) -> Result<Board, FigureError> {
-        Ok(Board {
-            window,
-            section: Section::fit(&[shown.min, shown.max], frame)?,
-            shown,
-        })
-    }
-
-    fn at(&self, p: DVec2) -> DVec2 {
-        self.section.at(p)
-    }
-
-    fn contour(&self, polygon: &[DVec2]) -> Vec<DVec2> {
-        polygon.iter().map(|&p| self.at(p)).collect()
-    }
-
-    /// The window: its area and border.
-    fn draw_window(&self, sheet: &mut Sheet) {
-        let border = Path::polygon(&self.contour(&corners(&self.window)));
-        sheet.fill(border.clone(), Role::Ground);
-        sheet.stroke(border, Pen::new(Role::Receiver, NORMAL));
-    }
-
-    /// The lines that its sides lie on, across all that is shown.
-    fn draw_lines(&self, sheet: &mut Sheet) {
-        for line in self.lines() {
-            let [a, b] = line.map(|p| self.at(p));
-            sheet.line(a, b, Pen::new(Role::Receiver, THIN).dashed());
-        }
-    }
-
-    /// Those lines: above, below, right, left.
-    fn lines(&self) -> [[DVec2; 2]; 4] {
-        let Board { window, shown, .. } = self;
-        let level = |y| [DVec2::new(shown.min.x, y), DVec2::new(shown.max.x, y)];
-        let upright = |x| [DVec2::new(x, shown.min.y), DVec2::new(x, shown.max.y)];
-        [
-            level(window.max.y),
-            level(window.min.y),
-            upright(window.max.x),
-            upright(window.min.x),
-        ]
-    }
-
-    /// What is kept of a polygon.
-    fn draw_kept(&self, sheet: &mut Sheet, polygon: &[DVec2]) {
-        let outline = Path::polygon(&self.contour(polygon));
-        sheet.fill(outline.clone(), Ink::of(Role::Chosen).alpha(0.28));
-        sheet.stroke(outline, Pen::new(Role::Chosen, NORMAL));
-    }
-
-    /// The outline of what is clipped.
-    fn draw_cut_off(&self, sheet: &mut Sheet, polygon: &[DVec2]) {
-        let outline = Path::polygon(&self.contour(polygon));
-        sheet.stroke(outline, Pen::new(Role::Rejected, THIN).dashed());
-    }
-
-    /// A name beside a place.
-    fn name(&self, sheet: &mut Sheet, p: DVec2, name: impl Into<String>, towards: DVec2) {
-        let towards = DVec2::new(towards.x, -towards.y);
-        sheet.label(Label::new(self.at(p), name).towards(towards));
-    }
-}
-
-/// A window of the figures; all are written out with the lower corner first.
-const fn window(min_x: f64, min_y: f64, max_x: f64, max_y: f64) -> Window {
-    Window {
-        min: DVec2::new(min_x, min_y),
-        max: DVec2::new(max_x, max_y),
-    }
-}
-
-/// Counter-clockwise from the lower left.
-fn corners(window: &Window) -> [DVec2; 4] {
-    let (a, b) = (window.min, window.max);
-    [a, DVec2::new(b.x, a.y), b, DVec2::new(a.x, b.y)]
-}
-
-/// Names of the lines in the order of [`Board::lines`].
-const NAMES: [&str; 4] = ["*y*_{max}", "*y*_{min}", "*x*_{max}", "*x*_{min}"];

@@ -5,8 +5,9 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::course::figures;
 use crate::error::FigureError;
-use crate::figure::{Figure, Inputs, figures};
+use crate::figure::{Figure, Inputs};
 use crate::style::{Size, Style, TextForm};
 use crate::{svg, write};
 

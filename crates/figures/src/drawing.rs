@@ -7,7 +7,7 @@
 use ombra_math::glam::DVec2;
 
 use crate::colour::Ink;
-use crate::path::{Path, Rect};
+use crate::path::{Path, Rect, round, round_length};
 use crate::style::Style;
 use crate::text::Line;
 
@@ -185,19 +185,4 @@ pub struct Drawing {
     pub items: Vec<Item>,
     /// Where its labels lie.
     pub labels: Vec<LabelBox>,
-}
-
-/// To hundredths, with −0 and what is not finite made 0.
-pub fn round(p: DVec2) -> DVec2 {
-    DVec2::new(round_length(p.x), round_length(p.y))
-}
-
-/// To hundredths, with −0 and what is not finite made 0.
-pub fn round_length(length: f64) -> f64 {
-    let rounded = (length * 100.0).round() / 100.0;
-    if rounded.is_finite() {
-        rounded + 0.0
-    } else {
-        0.0
-    }
 }

@@ -2,24 +2,17 @@
 
 use core::fmt;
 
-use crate::nearest::nearest;
-
 /// What was wrong with a figure's options, its object, its labels or the place it should be written to.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FigureError {
-    /// An option has a value it does not know.
-    UnknownValue {
+    /// An option has a value that it cannot have.
+    Value {
         /// The option, as typed: `--theme`.
         option: &'static str,
         /// What was given.
         value: String,
-        /// The values it takes.
+        /// What it takes.
         allowed: String,
-    },
-    /// A size that is no picture, or one too large to draw.
-    Size {
-        /// What was given.
-        value: String,
     },
     /// No figure and no lecture has this name.
     UnknownFigure {
@@ -27,15 +20,6 @@ pub enum FigureError {
         pattern: String,
         /// Every lecture and figure there is.
         allowed: String,
-    },
-    /// `--light` or `--plane` is not four finite numbers that mean a light or a plane.
-    Numbers {
-        /// The option, as typed: `--light`.
-        option: &'static str,
-        /// What was given.
-        value: String,
-        /// What it takes.
-        allowed: &'static str,
     },
     /// An object could not be read from a file.
     Object {
@@ -87,32 +71,15 @@ pub enum FigureError {
 impl fmt::Display for FigureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::UnknownValue {
-                option,
-                value,
-                allowed,
-            } => write!(f, "{option} cannot be '{value}': it is one of {allowed}"),
-            Self::Size { value } => write!(
-                f,
-                "--size cannot be '{value}': it is WIDTHxHEIGHT in pixels, each side from {} to {}, at most {} pixels \
-                 in all, and no side more than 4 times the other",
-                crate::style::Size::SIDES.start(),
-                crate::style::Size::SIDES.end(),
-                crate::style::Size::MOST_PIXELS,
-            ),
-            Self::UnknownFigure { pattern, allowed } => {
-                let names = allowed.split(", ");
-                write!(f, "there is no figure or lecture '{pattern}': ")?;
-                if let Some(meant) = nearest(pattern, names) {
-                    write!(f, "the nearest is '{meant}'; ")?;
-                }
-                write!(f, "there are {allowed}")
-            }
-            Self::Numbers {
+            Self::Value {
                 option,
                 value,
                 allowed,
             } => write!(f, "{option} cannot be '{value}': it is {allowed}"),
+            Self::UnknownFigure { pattern, allowed } => write!(
+                f,
+                "there is no figure or lecture '{pattern}': there are {allowed}"
+            ),
             Self::Object { file, reason } => write!(f, "--mesh {file}: {reason}"),
             Self::Scene { reason } => f.write_str(reason),
             Self::Font => f.write_str("the embedded typeface cannot be read"),

@@ -4,15 +4,33 @@ use core::fmt::Write as _;
 
 use crate::colour::Role;
 use crate::figure::{Figure, Inputs};
-use crate::labels::Key;
 use crate::style::{Format, Style};
 use crate::svg::{LICENCE_URL, escaped};
+use crate::words::words;
+
+words! {
+    /// Heading of the gallery.
+    TITLE {
+        en: "Figures",
+        it: "Figure",
+        cs: "Obrázky",
+        hr: "Slike",
+    }
+
+    /// The licence of the figures, said in the gallery.
+    LICENCE {
+        en: "Free to use in slides (CC0 1.0).",
+        it: "Di libero uso nelle slide (CC0 1.0).",
+        cs: "Volně k použití v prezentacích (CC0 1.0).",
+        hr: "Slobodno za upotrebu u prezentacijama (CC0 1.0).",
+    }
+}
 
 /// The page for `figures` written in `formats` beside it.
 pub fn gallery(figures: &[&Figure], style: &Style, inputs: &Inputs, formats: &[Format]) -> String {
     let language = style.language;
     let colour = |role: Role| format!("#{:06x}", role.rgb(style.theme));
-    let title = escaped(Key::GALLERY_TITLE.text(language));
+    let title = escaped(TITLE.text(language));
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n<title>Ombra · {title}</title>\n<style>\n\
@@ -24,7 +42,7 @@ pub fn gallery(figures: &[&Figure], style: &Style, inputs: &Inputs, formats: &[F
         colour(Role::Paper),
         colour(Role::Text),
         colour(Role::Grid),
-        escaped(Key::GALLERY_LICENCE.text(language)),
+        escaped(LICENCE.text(language)),
     );
     let mut lecture = "";
     for figure in figures {
@@ -71,7 +89,7 @@ pub fn gallery(figures: &[&Figure], style: &Style, inputs: &Inputs, formats: &[F
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::figures;
+    use crate::course::figures;
     use crate::style::Language;
 
     #[test]

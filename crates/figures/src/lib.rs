@@ -5,7 +5,8 @@
 //! machine.
 //!
 //! ```
-//! use ombra_figures::figure::{Inputs, select};
+//! use ombra_figures::course::select;
+//! use ombra_figures::figure::Inputs;
 //! use ombra_figures::style::{Style, Theme};
 //! use ombra_figures::{png, svg};
 //!
@@ -22,7 +23,8 @@
 //!
 //! | module | what it is for |
 //! | --- | --- |
-//! | [`figure`] | the list of figures, choosing among them, light, plane and object from the command line |
+//! | [`course`] | the list of figures, choosing among them |
+//! | [`figure`] | what a figure is; light, plane and object from the command line |
 //! | [`style`] | size, theme, language, background, text form, caption |
 //! | [`object`] | built-in solids and OBJ files, checked |
 //! | [`write`](mod@write) | files written whole or not at all |
@@ -34,8 +36,8 @@
 //!
 //! Lengths are thousandths of the canvas's shorter side, from the upper left corner, y down. A figure draws on a
 //! [`sheet::Sheet`], from the back to the front, in the ink of a [`colour::Role`], and asks for [`sheet::Label`]s,
-//! which find their places when it is finished. Add it to its lecture's list, that [`figure::figures`] joins, and its
-//! words to the lecture's file of [`labels`]; the tests over all figures then cover it.
+//! which find their places when it is finished. Its [`words`] stand in its file. Add it to its lecture's list, that
+//! [`course::figures`] joins; the tests over all figures then cover it.
 //!
 //! | module | what it holds |
 //! | --- | --- |
@@ -51,7 +53,7 @@
 //! | [`colour`], [`path`], [`drawing`] | roles, outlines, the display list |
 //! | [`contour`] | the contour of many triangles |
 //! | [`svg`], [`png`] | writing |
-//! | [`labels`] | every word, in four languages |
+//! | [`words`] | what a word is, and those that several figures share |
 //!
 //! The figures themselves are free to use in slides: CC0 1.0, as each SVG says. The typeface is DejaVu Sans, under its
 //! own licence in `fonts/`.
@@ -60,6 +62,7 @@ pub mod chart;
 mod clip;
 pub mod colour;
 pub mod contour;
+pub mod course;
 pub mod docs;
 pub mod drawing;
 pub mod error;
@@ -67,10 +70,8 @@ pub mod figure;
 pub mod font;
 pub mod gallery;
 mod hsr;
-pub mod labels;
 pub mod marks;
 mod math;
-mod nearest;
 pub mod number;
 pub mod object;
 pub mod panels;
@@ -88,4 +89,5 @@ pub mod style;
 pub mod svg;
 pub mod table;
 pub mod text;
+pub mod words;
 pub mod write;

@@ -274,6 +274,21 @@ impl Rect {
     }
 }
 
+/// To hundredths, with −0 and what is not finite made 0.
+pub fn round(p: DVec2) -> DVec2 {
+    DVec2::new(round_length(p.x), round_length(p.y))
+}
+
+/// To hundredths, with −0 and what is not finite made 0.
+pub fn round_length(length: f64) -> f64 {
+    let rounded = (length * 100.0).round() / 100.0;
+    if rounded.is_finite() {
+        rounded + 0.0
+    } else {
+        0.0
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

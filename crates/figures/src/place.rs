@@ -9,9 +9,9 @@ mod board;
 use ombra_math::glam::DVec2;
 
 use self::board::{Board, STARTS};
-use crate::drawing::{HALO, round};
+use crate::drawing::HALO;
 use crate::error::FigureError;
-use crate::path::Rect;
+use crate::path::{Rect, round};
 use crate::text::Line;
 
 /// A label that wants a place.

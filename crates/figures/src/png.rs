@@ -10,18 +10,16 @@ use crate::colour::{Ink, Role};
 use crate::drawing::{Drawing, FillRule, HALO, Item, Paint, Pen};
 use crate::error::FigureError;
 use crate::path::{Path, Segment};
-use crate::style::{Background, Theme};
+use crate::style::{Background, Size, Theme};
 
 /// The whole file; transparent where the style says so.
 ///
 /// # Errors
 ///
-/// [`FigureError::Size`] when the picture cannot be allocated or encoded, [`FigureError::Font`].
+/// [`FigureError::Value`] when the picture cannot be allocated or encoded, [`FigureError::Font`].
 pub fn png(drawing: &Drawing) -> Result<Vec<u8>, FigureError> {
     let style = drawing.style;
-    let wrong = || FigureError::Size {
-        value: style.size.to_string(),
-    };
+    let wrong = || Size::refused(style.size.to_string());
     let mut canvas = Canvas {
         pixels: Pixmap::new(style.size.width(), style.size.height()).ok_or_else(wrong)?,
         transform: {

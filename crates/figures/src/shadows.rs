@@ -4,8 +4,11 @@ mod any_plane;
 mod cube;
 mod fake;
 mod false_shadow;
-mod scene;
+mod light;
+mod setting;
+mod shadow;
 mod similar_triangles;
+mod stage;
 mod why;
 
 use crate::figure::Figure;

@@ -9,11 +9,9 @@ pub use self::label::Label;
 use ombra_math::glam::DVec2;
 
 use crate::colour::{Ink, Role};
-use crate::drawing::{
-    Drawing, FillRule, HALO, Item, LabelBox, MARGIN, Paint, Pen, THIN, round, round_length,
-};
+use crate::drawing::{Drawing, FillRule, HALO, Item, LabelBox, MARGIN, Paint, Pen, THIN};
 use crate::error::FigureError;
-use crate::path::{Path, Rect};
+use crate::path::{Path, Rect, round, round_length};
 use crate::place::{Drawn, Wanted, place};
 use crate::style::Style;
 use crate::text::{CAPITALS, LABEL, Line, NOTE, wrapped};

@@ -28,7 +28,7 @@ impl Size {
     ///
     /// # Errors
     ///
-    /// [`FigureError::Size`] outside [`Size::SIDES`], above [`Size::MOST_PIXELS`], or when a side is more than 4 times
+    /// [`FigureError::Value`] outside [`Size::SIDES`], above [`Size::MOST_PIXELS`], or when a side is more than 4 times
     /// the other.
     pub fn new(width: u32, height: u32) -> Result<Size, FigureError> {
         let pixels = u64::from(width) * u64::from(height);
@@ -40,9 +40,21 @@ impl Size {
         {
             Ok(Size { width, height })
         } else {
-            Err(FigureError::Size {
-                value: format!("{width}x{height}"),
-            })
+            Err(Size::refused(format!("{width}x{height}")))
+        }
+    }
+
+    /// Why `value` is no size.
+    pub(crate) fn refused(value: String) -> FigureError {
+        let (least, most) = (Self::SIDES.start(), Self::SIDES.end());
+        FigureError::Value {
+            option: "--size",
+            value,
+            allowed: format!(
+                "WIDTHxHEIGHT in pixels, each side from {least} to {most}, at most {} pixels in all, and no side more \
+                 than 4 times the other",
+                Self::MOST_PIXELS
+            ),
         }
     }
 
@@ -72,9 +84,7 @@ impl FromStr for Size {
     type Err = FigureError;
 
     fn from_str(text: &str) -> Result<Self, FigureError> {
-        let wrong = || FigureError::Size {
-            value: text.to_owned(),
-        };
+        let wrong = || Size::refused(text.to_owned());
         let (width, height) = text.split_once(['x', '×']).ok_or_else(wrong)?;
         let side = |digits: &str| {
             let plain = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
@@ -113,10 +123,10 @@ macro_rules! choice {
 
             fn from_str(text: &str) -> Result<Self, FigureError> {
                 Self::ALL.iter().copied().find(|value| value.word() == text).ok_or_else(|| {
-                    FigureError::UnknownValue {
+                    FigureError::Value {
                         option: $option,
                         value: text.to_owned(),
-                        allowed: [$($word,)+].join(", "),
+                        allowed: format!("one of {}", [$($word,)+].join(", ")),
                     }
                 })
             }

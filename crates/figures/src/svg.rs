@@ -8,10 +8,10 @@ use core::fmt::Write as _;
 use ombra_math::glam::DVec2;
 
 use crate::colour::{Ink, Role};
-use crate::drawing::{Drawing, FillRule, HALO, Item, Paint, Pen, round, round_length};
+use crate::drawing::{Drawing, FillRule, HALO, Item, Paint, Pen};
 use crate::error::FigureError;
 use crate::font::Cut;
-use crate::path::{Path, Segment};
+use crate::path::{Path, Segment, round, round_length};
 use crate::style::{Background, TextForm, Theme};
 use crate::text::Line;
 

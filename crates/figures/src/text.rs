@@ -18,10 +18,9 @@ mod setter;
 
 use ombra_math::glam::DVec2;
 
-use crate::drawing::round;
 use crate::error::FigureError;
 use crate::font::{Cut, Glyph};
-use crate::path::{Path, Rect};
+use crate::path::{Path, Rect, round};
 
 /// Letter size (em) below which nobody in the back row reads, in thousandths of the shorter side.
 pub const SMALLEST: f64 = 21.0;

@@ -193,7 +193,7 @@ mod tests {
         assert_eq!(names(&folder.0), ["a.svg", "b.png"]);
 
         // The same for both formats of a figure.
-        let figure = crate::figure::figures().first().unwrap();
+        let figure = crate::course::figures().first().unwrap();
         let style = Style::default();
         let png = folder.0.join(format!("{}.png", figure.id));
         fs::create_dir_all(&png).unwrap();

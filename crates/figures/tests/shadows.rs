@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use ombra_figures::colour::Role;
+use ombra_figures::course::{figures, select};
 use ombra_figures::drawing::{Drawing, Item, Paint};
-use ombra_figures::figure::{Inputs, figures, parse_light, parse_plane, select};
+use ombra_figures::figure::{Inputs, parse_light, parse_plane};
 use ombra_figures::number::exact;
 use ombra_figures::path::Path;
 use ombra_figures::style::{Background, Language, Style};

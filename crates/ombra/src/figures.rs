@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use ombra_figures::course::select;
 use ombra_figures::docs::write_docs;
 use ombra_figures::error::FigureError;
-use ombra_figures::figure::{Figure, Inputs, Takes, parse_light, parse_plane, select};
+use ombra_figures::figure::{Figure, Inputs, Takes, parse_light, parse_plane};
 use ombra_figures::object::NamedMesh;
 use ombra_figures::style::{Background, Format, Language, Size, Style, TextForm, Theme};
 use ombra_figures::write;

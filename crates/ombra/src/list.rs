@@ -1,7 +1,8 @@
 //! `ombra list`.
 
 use clap::Args;
-use ombra_figures::figure::{Inputs, figures};
+use ombra_figures::course::figures;
+use ombra_figures::figure::Inputs;
 use ombra_figures::style::Language;
 use ombra_trade::studies;
 

@@ -5,32 +5,69 @@ use ombra_clip::window::Side;
 use ombra_clip::{Segment, Window};
 use ombra_math::glam::DVec2;
 
-use super::{Board, NAMES, window};
+use super::board::{Board, NAMES, window};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::panels::panels;
 use crate::path::Rect;
 use crate::sheet::{Align, Sheet};
 use crate::style::Language;
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "clip/cohen-sutherland-steps",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::COHEN_SUTHERLAND_SUMMARY,
-        caption: Key::COHEN_SUTHERLAND_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Cohen–Sutherland: a segment cut twice, with its codes at every step",
+        it: "Cohen–Sutherland: un segmento tagliato due volte, con i codici a ogni passo",
+        cs: "Cohen–Sutherland: úsečka dvakrát oříznutá, s kódy v každém kroku",
+        hr: "Cohen–Sutherland: dužina dvaput odsječena, s kodovima u svakom koraku",
+    }
+
+    CAPTION {
+        en: "OR = 0000 accepts, AND ≠ 0000 rejects. Otherwise the first bit that differs says where to cut, and both are tested again.",
+        it: "OR = 0000 accetta, AND ≠ 0000 rifiuta. Altrimenti il primo bit discordante dice dove tagliare, e si ripetono i due test.",
+        cs: "OR = 0000 přijímá, AND ≠ 0000 zamítá. Jinak první odlišný bit určí řez a oba testy se opakují.",
+        hr: "OR = 0000 prihvaća, AND ≠ 0000 odbacuje. Inače prvi različiti bit kaže gdje rezati i obje se provjere ponavljaju.",
+    }
+
+    /// Cohen–Sutherland: the segment is inside.
+    ACCEPT {
+        en: "accepted",
+        it: "accettato",
+        cs: "přijato",
+        hr: "prihvaćeno",
+    }
+
+    /// Cohen–Sutherland: the segment is outside.
+    REJECT {
+        en: "rejected",
+        it: "rifiutato",
+        cs: "zamítnuto",
+        hr: "odbačeno",
+    }
+
+    /// Cohen–Sutherland: before the line that cuts.
+    CUT_AT {
+        en: "cut at",
+        it: "taglio a",
+        cs: "řez na",
+        hr: "rez na",
+    }
+}
 
 const WINDOW: Window = window(0.0, 0.0, 10.0, 10.0);
 const SHOWN: Window = window(-4.0, -5.2, 14.0, 15.2);
@@ -54,13 +91,12 @@ fn decision(step: &Step, language: Language) -> String {
     let [a, b] = step.codes;
     let (either, both) = (a | b, a & b);
     match step.decision {
-        Decision::Accept => format!("OR {either}: {}", Key::ACCEPT.text(language)),
-        Decision::Reject => format!("AND {both}: {}", Key::REJECT.text(language)),
+        Decision::Accept => format!("OR {either}: {}", ACCEPT.text(language)),
+        Decision::Reject => format!("AND {both}: {}", REJECT.text(language)),
         Decision::Cut { side, .. } => {
             let (axis, at) = line(side);
             // Unbreakable spaces keep the cut on one line.
-            let cut =
-                format!("{} *{axis}* = {at}", Key::CUT_AT.text(language)).replace(' ', "\u{a0}");
+            let cut = format!("{} *{axis}* = {at}", CUT_AT.text(language)).replace(' ', "\u{a0}");
             format!("OR {either}, AND {both}: {cut}")
         }
     }

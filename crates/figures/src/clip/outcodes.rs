@@ -4,28 +4,49 @@ use ombra_clip::Window;
 use ombra_clip::cohen_sutherland::outcode;
 use ombra_math::glam::DVec2;
 
-use super::{Board, window};
+use super::board::{Board, window};
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::path::Rect;
 use crate::sheet::{Align, Sheet};
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "clip/outcodes",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::OUTCODES_SUMMARY,
-        caption: Key::OUTCODES_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "The nine regions around a window and their codes",
+        it: "Le nove regioni intorno al rettangolo di clipping e i loro codici",
+        cs: "Devět oblastí kolem okna a jejich kódy",
+        hr: "Devet područja oko prozora i njihovi kodovi",
+    }
+
+    CAPTION {
+        en: "Each bit stands for one side: 1 where a point lies beyond it. Inside all are 0.",
+        it: "Ogni bit sta per un lato: 1 dove il punto è oltre. All’interno sono tutti 0.",
+        cs: "Každý bit patří jedné straně: 1, leží-li bod za ní. Uvnitř jsou všechny 0.",
+        hr: "Svaki bit pripada jednoj stranici: 1 ako je točka iza nje. Unutra su svi 0.",
+    }
+
+    /// A digit of an outcode.
+    BIT {
+        en: "bit",
+        it: "bit",
+        cs: "bit",
+        hr: "bit",
+    }
+}
 
 const WINDOW: Window = window(0.0, 0.0, 10.0, 6.0);
 const SHOWN: Window = window(-9.0, -5.4, 19.0, 11.4);
@@ -34,7 +55,7 @@ const LARGE: f64 = 2.0 * LABEL;
 const DIGIT: f64 = 0.68 * LARGE;
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
-    let bit = Key::BIT.text(sheet.style().language);
+    let bit = BIT.text(sheet.style().language);
     let frame = sheet.frame();
     // Rows are named on the left, columns below.
     let names = DVec2::new(5.4 * LABEL, 2.7 * LABEL);

@@ -3,29 +3,42 @@
 use ombra_clip::Window;
 use ombra_math::glam::DVec2;
 
-use super::{Board, NAMES, window};
+use super::board::{Board, NAMES, window};
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::path::Rect;
 use crate::sheet::{Align, Label, Sheet};
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "clip/point-window",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::POINT_WINDOW_SUMMARY,
-        caption: Key::POINT_WINDOW_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "A point and the window: four inequalities",
+        it: "Un punto e il rettangolo di clipping: quattro disuguaglianze",
+        cs: "Bod a okno: čtyři nerovnosti",
+        hr: "Točka i prozor: četiri nejednakosti",
+    }
+
+    CAPTION {
+        en: "A point is inside when all four hold; the border belongs to the window.",
+        it: "Un punto è interno se valgono tutte e quattro; il bordo appartiene al rettangolo.",
+        cs: "Bod leží uvnitř, platí-li všechny čtyři; hranice patří k oknu.",
+        hr: "Točka je unutra ako vrijede sve četiri; rub pripada prozoru.",
+    }
+}
 
 const WINDOW: Window = window(0.0, 0.0, 10.0, 6.0);
 const SHOWN: Window = window(-4.5, -1.8, 14.5, 8.2);

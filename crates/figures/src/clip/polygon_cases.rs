@@ -3,29 +3,74 @@
 use ombra_clip::{Segment, Window, cohen_sutherland, pieces, sutherland_hodgman};
 use ombra_math::glam::DVec2;
 
-use super::{Board, window};
+use super::board::{Board, window};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, Pen};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::panels::panels;
 use crate::sheet::Sheet;
+use crate::words::words;
 
 /// A, B and C of Grafica 3, Clipping di un poligono.
 pub(super) const FIGURE: Figure = Figure {
     id: "clip/polygon-cases",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::POLYGON_CASES_SUMMARY,
-        caption: Key::POLYGON_CASES_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "What clipping makes of a polygon: one, several pieces, always closed",
+        it: "Che cosa diventa un poligono: uno, più componenti, sempre chiusi",
+        cs: "Co se stane s polygonem: jeden, více částí, vždy uzavřené",
+        hr: "Što postaje od poligona: jedan, više dijelova, uvijek zatvoreni",
+    }
+
+    CAPTION {
+        en: "A bridge edge runs back and forth along the border between two pieces. In C the thick edges alone would be loose; the border closes them.",
+        it: "Un lato ponte percorre il bordo avanti e indietro tra due componenti. In C i lati spessi da soli sarebbero sconnessi; il bordo li chiude.",
+        cs: "Spojovací hrana běží mezi dvěma částmi po hranici tam a zpět. V C by samy tlusté hrany byly volné; uzavírá je hranice.",
+        hr: "Spojni brid ide rubom između dvaju dijelova naprijed i natrag. U C bi sami debeli bridovi bili slobodni; rub ih zatvara.",
+    }
+
+    /// The first picture.
+    CASE_CONVEX {
+        en: "A convex: one polygon",
+        it: "A convesso: un poligono",
+        cs: "A konvexní: jeden polygon",
+        hr: "A konveksan: jedan poligon",
+    }
+
+    /// The second picture.
+    CASE_BRIDGES {
+        en: "B concave: a bridge edge",
+        it: "B concavo: un lato ponte",
+        cs: "B nekonvexní: spojovací hrana",
+        hr: "B konkavan: spojni brid",
+    }
+
+    /// The third picture.
+    CASE_PIECES {
+        en: "B: separate pieces",
+        it: "B: componenti separate",
+        cs: "B: oddělené části",
+        hr: "B: odvojeni dijelovi",
+    }
+
+    /// The fourth picture.
+    CASE_CLOSED {
+        en: "C: a closed polygon",
+        it: "C: un poligono chiuso",
+        cs: "C: uzavřený obrys",
+        hr: "C: zatvoren poligon",
+    }
+}
 
 const WINDOW: Window = window(0.0, 0.0, 10.0, 18.0);
 const SHOWN: Window = window(-0.6, -2.4, 15.6, 22.4);
@@ -52,13 +97,8 @@ const CORNER: [(f64, f64); 3] = [(2.0, 6.8), (15.0, 3.4), (8.0, 22.0)];
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
-    let lines = [
-        Key::CASE_CONVEX,
-        Key::CASE_BRIDGES,
-        Key::CASE_PIECES,
-        Key::CASE_CLOSED,
-    ]
-    .map(|key| key.text(language));
+    let lines =
+        [CASE_CONVEX, CASE_BRIDGES, CASE_PIECES, CASE_CLOSED].map(|word| word.text(language));
     let boards: Vec<Board> = panels(sheet, &lines, 1.55)?
         .into_iter()
         .map(|panel| Board::fit(WINDOW, SHOWN, panel))

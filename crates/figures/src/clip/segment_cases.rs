@@ -3,29 +3,42 @@
 use ombra_clip::{Segment, Window, crossing, direct};
 use ombra_math::glam::DVec2;
 
-use super::{Board, window};
+use super::board::{Board, window};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::sheet::Sheet;
+use crate::words::words;
 
 /// AB … IJ as in Grafica 3, Clipping di un segmento.
 pub(super) const FIGURE: Figure = Figure {
     id: "clip/segment-cases",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::SEGMENT_CASES_SUMMARY,
-        caption: Key::SEGMENT_CASES_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Where the ends of a segment can lie, and what is kept of it",
+        it: "Dove possono stare gli estremi di un segmento e che cosa ne resta",
+        cs: "Kde mohou ležet konce úsečky a co z ní zůstane",
+        hr: "Gdje mogu ležati krajevi dužine i što od nje ostaje",
+    }
+
+    CAPTION {
+        en: "*G*′ and *H*′ lie on sides of the window; *I*′ and *J*′ only on the lines through them: nothing of *IJ* is kept.",
+        it: "*G*′ e *H*′ stanno sui lati del rettangolo; *I*′ e *J*′ solo sulle rette su cui giacciono i lati: di *IJ* non resta nulla.",
+        cs: "*G*′ a *H*′ leží na stranách okna; *I*′ a *J*′ jen na přímkách stran: z *IJ* nezůstane nic.",
+        hr: "*G*′ i *H*′ leže na stranicama prozora; *I*′ i *J*′ samo na pravcima stranica: od *IJ* ne ostaje ništa.",
+    }
+}
 
 const WINDOW: Window = window(0.0, 0.0, 10.0, 6.0);
 const SHOWN: Window = window(-4.0, -2.2, 14.0, 8.2);

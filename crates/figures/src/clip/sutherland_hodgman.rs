@@ -4,29 +4,42 @@ use ombra_clip::Window;
 use ombra_clip::sutherland_hodgman::{HalfPlane, clip_against_line};
 use ombra_math::glam::DVec2;
 
-use super::{Board, NAMES, window};
+use super::board::{Board, NAMES, window};
 use crate::colour::Role;
 use crate::drawing::{NORMAL, Pen};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::panels::panels;
 use crate::sheet::Sheet;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "clip/sutherland-hodgman-steps",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::SUTHERLAND_HODGMAN_SUMMARY,
-        caption: Key::SUTHERLAND_HODGMAN_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Sutherland–Hodgman: a concave polygon after each of the four lines",
+        it: "Sutherland–Hodgman: un poligono concavo dopo ognuna delle quattro rette",
+        cs: "Sutherland–Hodgman: nekonvexní polygon po každé ze čtyř přímek",
+        hr: "Sutherland–Hodgman: konkavni poligon nakon svakog od četiri pravca",
+    }
+
+    CAPTION {
+        en: "Each line keeps what lies on its inner side; what is left goes on to the next.",
+        it: "Ogni retta conserva ciò che sta dalla sua parte interna; ciò che resta passa alla successiva.",
+        cs: "Každá přímka ponechá, co leží na její vnitřní straně; zbytek jde k další.",
+        hr: "Svaki pravac zadržava što je na njegovoj unutarnjoj strani; ostatak ide na sljedeći.",
+    }
+}
 
 const WINDOW: Window = window(0.0, 0.0, 10.0, 18.0);
 const SHOWN: Window = window(-3.6, -5.4, 13.6, 23.4);

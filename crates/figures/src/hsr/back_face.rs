@@ -9,14 +9,14 @@ use self::outline::{Chain, Face, bounds, of_mesh, of_prism};
 use crate::colour::{Ink, Role};
 use crate::drawing::{EMPHASIS, FillRule, NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Inputs, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Inputs, Takes};
 use crate::marks;
 use crate::path::{Path, Rect};
 use crate::section::Section;
 use crate::sheet::{Label, Sheet};
 use crate::style::Language;
 use crate::text::Line;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/back-face",
@@ -25,12 +25,45 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: true,
     },
-    words: |_| Words {
-        summary: Key::BACK_FACE_SUMMARY,
-        caption: Key::BACK_FACE_CAPTION,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, inputs| draw(sheet, &Solid::new(inputs)?),
 };
+
+words! {
+    SUMMARY {
+        en: "A solid cut across, the normals of its faces and the vectors to the eye: kept and culled faces",
+        it: "Un solido in sezione, le normali delle facce e i vettori verso l’osservatore: facce tenute ed eliminate",
+        cs: "Řez tělesem, normály stěn a vektory k pozorovateli: ponechané a vyřazené stěny",
+        hr: "Presjek tijela, normale stranica i vektori prema oku: zadržane i odbačene stranice",
+    }
+
+    CAPTION {
+        en: "**n** looks out of the solid, **v** from the face towards the eye. With **n**·**v** < 0 a face is turned away and certainly hidden.",
+        it: "**n** esce dal solido, **v** va dalla faccia verso l’osservatore. Con **n**·**v** < 0 la faccia è posteriore e certamente non visibile.",
+        cs: "**n** míří ven z tělesa, **v** od stěny k pozorovateli. Při **n**·**v** < 0 je stěna odvrácená a jistě není vidět.",
+        hr: "**n** gleda iz tijela, **v** od stranice prema oku. Uz **n**·**v** < 0 stranica je okrenuta od oka i sigurno se ne vidi.",
+    }
+
+    /// What becomes of a face that may be seen.
+    KEPT {
+        en: "kept",
+        it: "tenuta",
+        cs: "ponechaná",
+        hr: "zadržana",
+    }
+
+    /// What becomes of a face that is turned away.
+    CULLED {
+        en: "culled",
+        it: "eliminata",
+        cs: "vyřazená",
+        hr: "odbačena",
+    }
+}
 
 /// A prism across its faces, counter-clockwise.
 const PRISM: [(f64, f64); 6] = [
@@ -242,9 +275,9 @@ fn example<'a>(solid: &Solid, shown: &[&'a Face], kept: bool) -> Option<&'a Face
 /// What becomes of a face, at the tip of its normal.
 fn verdict(tip: DVec2, kept: bool, language: Language) -> Label {
     let (sign, word, ink) = if kept {
-        ("≥", Key::BACK_FACE_KEPT, Role::Chosen)
+        ("≥", KEPT, Role::Chosen)
     } else {
-        ("<", Key::BACK_FACE_CULLED, Role::Note)
+        ("<", CULLED, Role::Note)
     };
     let words = format!("**n**·**v** {sign} 0: {}", word.text(language));
     Label::new(tip, words).ink(ink)

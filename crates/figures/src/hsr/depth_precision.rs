@@ -5,24 +5,77 @@ use ombra_hsr::z_buffer::{Depth16, Depth24, Depth32F, DepthFormat, ReversedDepth
 
 use crate::chart::{Axis, Chart, Scale, Series};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::number::decimal;
 use crate::sheet::Sheet;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/depth-precision",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::DEPTH_PRECISION_SUMMARY,
-        caption: Key::DEPTH_PRECISION_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Depth step against distance: 16 bits, 24 bits, single precision, and single precision reversed",
+        it: "Passo di profondità e distanza: 16 bit, 24 bit, precisione singola, e precisione singola invertita",
+        cs: "Krok hloubky podle vzdálenosti: 16 bitů, 24 bitů, jednoduchá přesnost a jednoduchá přesnost obráceně",
+        hr: "Korak dubine prema udaljenosti: 16 bitova, 24 bita, jednostruka preciznost i obrnuta jednostruka preciznost",
+    }
+
+    CAPTION {
+        en: "Surfaces nearer to each other than the step may get the same depth. Lines are the formula, marks are measured; reversed, 1\u{a0}−\u{a0}*d* is stored.",
+        it: "Superfici più vicine tra loro del passo possono avere la stessa profondità. Linee: formula; segni: misure; invertito, si memorizza 1\u{a0}−\u{a0}*d*.",
+        cs: "Plochy bližší k sobě než krok mohou mít stejnou hloubku. Čáry jsou vzorec, značky měření; obráceně se ukládá 1\u{a0}−\u{a0}*d*.",
+        hr: "Plohe bliže jedna drugoj od koraka mogu imati istu dubinu. Crte su formula, oznake mjerenja; obrnuto se pohranjuje 1\u{a0}−\u{a0}*d*.",
+    }
+
+    /// to the right.
+    DISTANCE {
+        en: "distance *z*",
+        it: "distanza *z*",
+        cs: "vzdálenost *z*",
+        hr: "udaljenost *z*",
+    }
+
+    /// upwards.
+    STEP {
+        en: "depth step Δ*z*",
+        it: "passo di profondità Δ*z*",
+        cs: "krok hloubky Δ*z*",
+        hr: "korak dubine Δ*z*",
+    }
+
+    /// a curve.
+    PRECISION_16 {
+        en: "16 bits",
+        it: "16 bit",
+        cs: "16 bitů",
+        hr: "16 bitova",
+    }
+
+    /// a curve, on which that of single precision lies but for its beginning.
+    PRECISION_24 {
+        en: "24 bits, f32",
+        it: "24 bit, f32",
+        cs: "24 bitů, f32",
+        hr: "24 bita, f32",
+    }
+
+    /// a curve.
+    REVERSED {
+        en: "f32 reversed",
+        it: "f32 invertito",
+        cs: "f32 obráceně",
+        hr: "f32 obrnuto",
+    }
+}
 
 /// Planes of the view, in metres.
 const NEAR: f64 = 0.1;
@@ -39,21 +92,21 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
     // Above single precision, on which it lies but for the near end; the marks of the two alternate.
     let series = vec![
-        series::<Depth16>(Key::PRECISION_16.text(language), 0),
+        series::<Depth16>(PRECISION_16.text(language), 0),
         named_at_the_near_end(series::<Depth32F>("f32", EVERY / 2)),
-        series::<Depth24>(Key::PRECISION_24.text(language), 0),
-        series::<ReversedDepth32F>(Key::PRECISION_REVERSED.text(language), 0),
+        series::<Depth24>(PRECISION_24.text(language), 0),
+        series::<ReversedDepth32F>(REVERSED.text(language), 0),
     ];
     let planes = format!("*n* = {}, *f* = {}", decimal(NEAR), decimal(FAR));
     let chart = Chart {
         id: FIGURE.id.to_owned(),
-        title: Key::DEPTH_PRECISION_SUMMARY.text(language).to_owned(),
+        title: SUMMARY.text(language).to_owned(),
         x: Axis::new(
-            Key::PRECISION_DISTANCE.text(language),
+            DISTANCE.text(language),
             format!("m   ({planes})"),
             Scale::Log,
         ),
-        y: Axis::new(Key::PRECISION_STEP.text(language), "m", Scale::Log),
+        y: Axis::new(STEP.text(language), "m", Scale::Log),
         series,
         pareto: None,
     };

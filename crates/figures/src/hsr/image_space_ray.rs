@@ -5,31 +5,52 @@ use ombra_hsr::polygon::Polygon;
 use ombra_math::camera::SightLine;
 use ombra_math::glam::{DVec2, DVec3};
 
-use super::{AREA, PRIMITIVES};
+use super::primitives::{AREA, PRIMITIVES};
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::number::exact;
 use crate::path::{Path, Rect};
 use crate::sheet::{Label, Sheet};
 use crate::space::View;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/image-space-ray",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::IMAGE_RAY_SUMMARY,
-        caption: Key::IMAGE_RAY_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet, LOOKED_AT),
 };
+
+words! {
+    SUMMARY {
+        en: "A ray through a pixel: its hits, the nearest one, and a plane met beside its primitive",
+        it: "Una semiretta per un pixel: le intersezioni, la più vicina e un piano colpito fuori della sua primitiva",
+        cs: "Paprsek pixelem: jeho průsečíky, nejbližší z nich a rovina protnutá vedle své plochy",
+        hr: "Zraka kroz piksel: njezini pogoci, najbliži od njih i ravnina pogođena pokraj svojeg poligona",
+    }
+
+    CAPTION {
+        en: "The pixel gets the primitive at the nearest hit. The plane of *C* is met sooner, but outside *C*: that does not count.",
+        it: "Il pixel riceve la primitiva dell’intersezione più vicina. Il piano di *C* viene prima, ma fuori di *C*: non conta.",
+        cs: "Pixel dostane plochu nejbližšího průsečíku. Rovinu plochy *C* paprsek protne dřív, ale mimo *C*: to se nepočítá.",
+        hr: "Piksel dobiva poligon najbližeg pogotka. Ravninu od *C* zraka pogađa prije, ali izvan *C*: to se ne računa.",
+    }
+
+    /// The ray meets a plane outside its primitive.
+    OUTSIDE {
+        en: "outside *C*",
+        it: "fuori di *C*",
+        cs: "mimo *C*",
+        hr: "izvan *C*",
+    }
+}
 
 /// The image: columns and rows, the width of a pixel, and its distance from the eye.
 const SIZE: (u32, u32) = (8, 6);
@@ -159,7 +180,7 @@ fn draw(sheet: &mut Sheet, looked_at: (u32, u32)) -> Result<(), FigureError> {
         marks::point(sheet, at, role);
         name_hit(sheet, at, exact(hit.t), role);
     }
-    let outside = Key::IMAGE_RAY_OUTSIDE.text(sheet.style().language);
+    let outside = OUTSIDE.text(sheet.style().language);
     for hit in &beside {
         let at = picture.at(along(line, hit.t));
         marks::hollow_point(sheet, at, Role::Rejected);

@@ -4,30 +4,67 @@ use ombra_hsr::object_space::visible_parts;
 use ombra_hsr::polygon::Polygon;
 use ombra_math::glam::{DVec2, DVec3};
 
-use super::PRIMITIVES;
+use super::primitives::PRIMITIVES;
 use super::stage::{EYE, Stage, section};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, NORMAL, Pen};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::panels::panels;
 use crate::sheet::{Label, Sheet};
+use crate::words::words;
 
 /// The three relations of Grafica 3, Approccio Object-Space.
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/object-space-pairs",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::PAIRS_SUMMARY,
-        caption: Key::PAIRS_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet, &pairs()),
 };
+
+words! {
+    SUMMARY {
+        en: "Two primitives: one hides the other, both are visible, one hides part of the other",
+        it: "Due primitive: una oscura l’altra, entrambe visibili, una occlude parzialmente l’altra",
+        cs: "Dvě plochy: jedna zakrývá druhou, obě jsou viditelné, jedna zakrývá část druhé",
+        hr: "Dva poligona: jedan zaklanja drugi, oba su vidljiva, jedan zaklanja dio drugoga",
+    }
+
+    CAPTION {
+        en: "Above what the eye sees, below the same from above. What lies in the pyramid behind *A* is hidden; what is left of *B* is cut into convex parts.",
+        it: "In alto ciò che vede l’osservatore, in basso la pianta. Ciò che sta nella piramide dietro *A* è oscurato; ciò che resta di *B* si divide in parti convesse.",
+        cs: "Nahoře to, co vidí pozorovatel, dole půdorys. Co leží v jehlanu za *A*, je zakryté; zbytek *B* se rozdělí na konvexní části.",
+        hr: "Gore ono što vidi oko, dolje tlocrt. Što leži u piramidi iza *A*, zaklonjeno je; ostatak od *B* dijeli se na konveksne dijelove.",
+    }
+
+    /// The first panel.
+    HIDDEN {
+        en: "*A* hides *B*",
+        it: "*A* oscura *B*",
+        cs: "*A* zakrývá *B*",
+        hr: "*A* zaklanja *B*",
+    }
+
+    /// The second panel.
+    BOTH {
+        en: "*A* and *B* are visible",
+        it: "*A* e *B* visibili",
+        cs: "*A* i *B* jsou viditelné",
+        hr: "*A* i *B* su vidljivi",
+    }
+
+    /// The third panel.
+    PART {
+        en: "*A* hides part of *B*",
+        it: "*A* occlude parte di *B*",
+        cs: "*A* zakrývá část *B*",
+        hr: "*A* zaklanja dio *B*",
+    }
+}
 
 /// An upright rectangle: where it stands on the left and on the right, (x, z), and from where to where it reaches in y.
 type Wall = ([(f64, f64); 2], [f64; 2]);
@@ -54,7 +91,7 @@ fn pairs() -> [[Polygon; 2]; 3] {
 
 fn draw(sheet: &mut Sheet, pairs: &[[Polygon; 2]; 3]) -> Result<(), FigureError> {
     let language = sheet.style().language;
-    let lines = [Key::PAIRS_HIDDEN, Key::PAIRS_BOTH, Key::PAIRS_PART].map(|key| key.text(language));
+    let lines = [HIDDEN, BOTH, PART].map(|word| word.text(language));
     for (panel, pair) in panels(sheet, &lines, Stage::TALLEST)?
         .into_iter()
         .zip(pairs)
@@ -120,12 +157,13 @@ fn draw_pair(sheet: &mut Sheet, stage: &Stage, pair: &[Polygon; 2]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::AREA;
     use super::super::drawn::{areas, drawn, fills, shapes};
+    use super::super::primitives::AREA;
     use super::*;
     use crate::colour::Ink;
-    use crate::drawing::{Drawing, round};
+    use crate::drawing::Drawing;
     use crate::path::Rect;
+    use crate::path::round;
     use ombra_hsr::pair::{Pair, compare};
 
     #[test]

@@ -5,31 +5,60 @@ use ombra_hsr::painter::{order, order_by_cutting};
 use ombra_hsr::polygon::Polygon;
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 
-use super::{AREA, PRIMITIVES};
+use super::primitives::{AREA, PRIMITIVES};
 use crate::colour::{Ink, Role};
 use crate::drawing::{EMPHASIS, NORMAL, Pen};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::panels::panels;
 use crate::path::{Path, Rect};
 use crate::section::Section;
 use crate::sheet::{Align, Label, Sheet};
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/painter-cycle",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::PAINTER_CYCLE_SUMMARY,
-        caption: Key::PAINTER_CYCLE_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet, &sticks(SLOPE)),
 };
+
+words! {
+    SUMMARY {
+        en: "Three sticks, each over the next: no order, and an order after cutting one of them",
+        it: "Tre aste, ognuna sopra la seguente: nessun ordine, e un ordine dopo averne tagliata una",
+        cs: "Tři tyče, každá přes další: žádné pořadí, a pořadí po rozříznutí jedné z nich",
+        hr: "Tri štapa, svaki preko sljedećeg: nema poretka, a ima ga kad se jedan prereže",
+    }
+
+    CAPTION {
+        en: "Whichever is painted first hides nothing, yet each must hide one. One is cut by the plane of another, and its two pieces find their places.",
+        it: "La prima dipinta non copre nulla, eppure ognuna deve coprirne una. Una si taglia con il piano di un’altra, e i suoi due pezzi trovano posto.",
+        cs: "Tyč namalovaná jako první nezakryje nic, a přece má každá jednu zakrýt. Jedna se rozřízne rovinou jiné a její dva díly najdou své místo.",
+        hr: "Štap naslikan prvi ne zaklanja ništa, a svaki mora zakloniti jedan. Jedan se reže ravninom drugoga i njegova dva dijela nađu svoje mjesto.",
+    }
+
+    /// One stick hides part of another.
+    HIDES {
+        en: "hides",
+        it: "oscura",
+        cs: "zakrývá",
+        hr: "zaklanja",
+    }
+
+    /// What happens to a stick, before the numbers of the pieces in order.
+    CUT {
+        en: "is cut in two; order",
+        it: "tagliata in due; ordine",
+        cs: "rozříznuta na dvě; pořadí",
+        hr: "prerezan nadvoje; poredak",
+    }
+}
 
 /// A parallel view from above.
 const EYE: DVec4 = DVec4::Z;
@@ -68,7 +97,7 @@ fn draw(sheet: &mut Sheet, sticks: &[Polygon; 3]) -> Result<(), FigureError> {
 
     let name = |i: &usize| PRIMITIVES.get(*i).map_or("", |&(name, _)| name);
     let ring = &cycle.primitives;
-    let verb = Key::PAINTER_HIDES.text(language);
+    let verb = HIDES.text(language);
     let hides: Vec<String> = ring
         .iter()
         .zip(ring.iter().cycle().skip(1))
@@ -80,7 +109,7 @@ fn draw(sheet: &mut Sheet, sticks: &[Polygon; 3]) -> Result<(), FigureError> {
     let after = format!(
         "{} {}: {}",
         cut.join(", "),
-        Key::PAINTER_CUT.text(language),
+        CUT.text(language),
         numbers.join(", ")
     );
     let lines = [&*hides.join(", "), &*after];

@@ -6,30 +6,67 @@ use ombra_hsr::painter::order;
 use ombra_hsr::polygon::Polygon;
 use ombra_math::glam::{DVec2, DVec3};
 
-use super::PRIMITIVES;
+use super::primitives::PRIMITIVES;
 use super::stage::{EYE, Stage, section};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::panels::panels;
 use crate::sheet::{Align, Label, Sheet};
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/painter-steps",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::PAINTER_STEPS_SUMMARY,
-        caption: Key::PAINTER_STEPS_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet, &scene()),
 };
+
+words! {
+    SUMMARY {
+        en: "The painter’s algorithm: four primitives from back to front",
+        it: "L’algoritmo del pittore: quattro primitive dalla più lontana alla più vicina",
+        cs: "Malířův algoritmus: čtyři plochy odzadu dopředu",
+        hr: "Slikarev algoritam: četiri poligona odostraga prema naprijed",
+    }
+
+    CAPTION {
+        en: "The farthest first; each covers what it hides of those painted before.",
+        it: "Prima la più lontana; ognuna copre ciò che oscura di quelle già dipinte.",
+        cs: "Nejdřív nejvzdálenější; každá překryje, co zakrývá z dříve namalovaných.",
+        hr: "Najprije najdalji; svaki prekriva ono što zaklanja od već naslikanih.",
+    }
+
+    /// After the name of the first that is painted.
+    FARTHEST {
+        en: ", the farthest",
+        it: ", la più lontana",
+        cs: ", nejvzdálenější",
+        hr: ", najdalji",
+    }
+
+    /// Before the name of one in between.
+    THEN {
+        en: "then",
+        it: "poi",
+        cs: "pak",
+        hr: "zatim",
+    }
+
+    /// After the name of the last.
+    NEAREST {
+        en: ", the nearest",
+        it: ", la più vicina",
+        cs: ", nejbližší",
+        hr: ", najbliži",
+    }
+}
 
 /// *A* to *D*, as they are submitted.
 const SCENE: [&[(f64, f64, f64)]; 4] = [
@@ -78,9 +115,9 @@ fn draw(sheet: &mut Sheet, scene: &[Polygon; 4]) -> Result<(), FigureError> {
         .iter()
         .enumerate()
         .map(|(i, (_, name, _))| match i {
-            0 => format!("{name}{}", Key::PAINTER_FARTHEST.text(language)),
-            _ if i == last => format!("{name}{}", Key::PAINTER_NEAREST.text(language)),
-            _ => format!("{} {name}", Key::PAINTER_THEN.text(language)),
+            0 => format!("{name}{}", FARTHEST.text(language)),
+            _ if i == last => format!("{name}{}", NEAREST.text(language)),
+            _ => format!("{} {name}", THEN.text(language)),
         })
         .collect();
     let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
@@ -119,8 +156,8 @@ fn draw(sheet: &mut Sheet, scene: &[Polygon; 4]) -> Result<(), FigureError> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::AREA;
     use super::super::drawn::{areas, drawn, shapes};
+    use super::super::primitives::AREA;
     use super::*;
     use crate::colour::Ink;
     use crate::drawing::Drawing;

@@ -7,7 +7,7 @@
 use ombra_hsr::polygon::Polygon;
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 
-use super::AREA;
+use super::primitives::AREA;
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::marks;

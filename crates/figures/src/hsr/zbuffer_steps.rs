@@ -9,32 +9,93 @@ use ombra_math::view::{Viewport, orthographic};
 use ombra_raster::buffers::{self, image::Luma};
 use ombra_raster::rectangle::fill;
 
-use super::PRIMITIVES;
+use super::primitives::PRIMITIVES;
 use crate::colour::{Ink, Role};
 use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::number::decimal;
 use crate::panels::panels;
 use crate::path::Rect;
 use crate::pixels::{Grid, Orientation};
 use crate::sheet::{Align, Sheet};
 use crate::text::{LABEL, NOTE};
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/zbuffer-steps",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::ZBUFFER_STEPS_SUMMARY,
-        caption: Key::ZBUFFER_STEPS_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw_steps(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Z-buffer: colour and depth of every pixel after each triangle",
+        it: "Z-buffer: colore e profondità di ogni pixel dopo ciascun triangolo",
+        cs: "Z-buffer: barva a hloubka každého pixelu po každém trojúhelníku",
+        hr: "Z-spremnik: boja i dubina svakog piksela nakon svakog trokuta",
+    }
+
+    CAPTION {
+        en: "At first every depth is the greatest, 8. A fragment is written (marked) where it is nearer than what the pixel holds. The triangles may come in any order.",
+        it: "All’inizio ogni profondità è la massima, 8. Un frammento è scritto (evidenziato) dove è più vicino di ciò che il pixel contiene. L’ordine dei triangoli è libero.",
+        cs: "Na začátku je každá hloubka největší, 8. Fragment se zapíše (vyznačeno) tam, kde je blíže než to, co pixel obsahuje. Na pořadí trojúhelníků nezáleží.",
+        hr: "Na početku je svaka dubina najveća, 8. Fragment se upisuje (označeno) gdje je bliži od onoga što piksel sadrži. Redoslijed trokuta nije važan.",
+    }
+
+    /// The upper row.
+    COLOUR {
+        en: "colour",
+        it: "colore",
+        cs: "barva",
+        hr: "boja",
+    }
+
+    /// The lower row.
+    DEPTH {
+        en: "depth *z*",
+        it: "profondità *z*",
+        cs: "hloubka *z*",
+        hr: "dubina *z*",
+    }
+
+    /// The first step.
+    CLEARED {
+        en: "cleared",
+        it: "all’inizio",
+        cs: "na začátku",
+        hr: "na početku",
+    }
+
+    /// The second step.
+    FIRST {
+        en: "*A* is drawn",
+        it: "si disegna *A*",
+        cs: "kreslí se *A*",
+        hr: "crta se *A*",
+    }
+
+    /// The third step.
+    CROSSING {
+        en: "*B* crosses *A*",
+        it: "*B* interseca *A*",
+        cs: "*B* protíná *A*",
+        hr: "*B* siječe *A*",
+    }
+
+    /// The fourth step.
+    BEHIND {
+        en: "*C* lies behind",
+        it: "*C* sta dietro",
+        cs: "*C* leží vzadu",
+        hr: "*C* je iza",
+    }
+}
 
 /// Pixels across and down.
 const SIZE: u32 = 6;
@@ -166,13 +227,7 @@ const GAP: f64 = 16.0;
 
 fn draw_steps(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
-    let lines = [
-        Key::ZBUFFER_CLEARED,
-        Key::ZBUFFER_FIRST,
-        Key::ZBUFFER_CROSSING,
-        Key::ZBUFFER_BEHIND,
-    ]
-    .map(|key| key.text(language));
+    let lines = [CLEARED, FIRST, CROSSING, BEHIND].map(|word| word.text(language));
     let panels = panels(sheet, &lines, 2.3)?;
     for (i, (panel, step)) in panels.into_iter().zip(steps(&numbered())?).enumerate() {
         let half = 0.5 * (panel.size().y - GAP);
@@ -183,9 +238,9 @@ fn draw_steps(sheet: &mut Sheet) -> Result<(), FigureError> {
             Grid::fit(IVec2::ZERO, last, Orientation::Picture, room)
         });
         if i == 0 {
-            for (grid, key) in parts.iter().zip([Key::ZBUFFER_COLOUR, Key::ZBUFFER_DEPTH]) {
+            for (grid, word) in parts.iter().zip([COLOUR, DEPTH]) {
                 let at = grid.bounds().min - DVec2::new(0.0, 0.5 * HEAD);
-                sheet.text(at, Align::Left, key.text(language), NOTE, Role::Text)?;
+                sheet.text(at, Align::Left, word.text(language), NOTE, Role::Text)?;
             }
         }
         let [colour, depth] = parts;

@@ -3,32 +3,61 @@
 use ombra_math::glam::{DVec2, DVec3};
 use ombra_math::view;
 
-use super::{arrow, polyline};
+use super::marks::{arrow, polyline};
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::number::exact;
 use crate::panels::panels;
 use crate::path::{Path, Rect};
 use crate::sheet::{Label, Sheet};
 use crate::space::View;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "math/frustum",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::MATH_FRUSTUM_SUMMARY,
-        caption: Key::MATH_FRUSTUM_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "The view frustum and the cube it becomes",
+        it: "Il volume di vista e il cubo che diventa",
+        cs: "Pohledový objem a krychle, kterou se stane",
+        hr: "Volumen pogleda i kocka u koju prelazi",
+    }
+
+    CAPTION {
+        en: "The plane *z* = −2*fn* / (*f* + *n*) comes to the middle of the cube: half of all depths lies before it.",
+        it: "Il piano *z* = −2*fn* / (*f* + *n*) arriva al centro del cubo: metà delle profondità sta davanti.",
+        cs: "Rovina *z* = −2*fn* / (*f* + *n*) přejde do středu krychle: polovina všech hloubek leží před ní.",
+        hr: "Ravnina *z* = −2*fn* / (*f* + *n*) dolazi u sredinu kocke: polovica svih dubina leži ispred nje.",
+    }
+
+    /// The first picture.
+    BEFORE {
+        en: "What the eye sees along\u{a0}−*z*",
+        it: "Ciò che l’occhio vede lungo\u{a0}−*z*",
+        cs: "Co vidí oko ve směru −*z*",
+        hr: "Što oko vidi uzduž −*z*",
+    }
+
+    /// The second picture.
+    AFTER {
+        en: "After the matrix and the division by\u{a0}*w*",
+        it: "Dopo la matrice e la divisione per\u{a0}*w*",
+        cs: "Po násobení maticí a dělení\u{a0}*w*",
+        hr: "Nakon matrice i dijeljenja s\u{a0}*w*",
+    }
+}
 
 /// l = −r and b = −t.
 const R: f64 = 0.55;
@@ -59,7 +88,7 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
         reason: error.to_string(),
     })?;
     let language = sheet.style().language;
-    let lines = [Key::FRUSTUM_BEFORE, Key::FRUSTUM_AFTER].map(|key| key.text(language));
+    let lines = [BEFORE, AFTER].map(|word| word.text(language));
     let [before, after] = panels(sheet, &lines, 1.0)?[..] else {
         return Ok(());
     };

@@ -3,32 +3,45 @@
 use ombra_math::glam::{DVec2, DVec3};
 use ombra_math::plane::Plane;
 
-use super::{arrow, point, polyline};
+use super::marks::{arrow, point, polyline};
 use crate::colour::Role;
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::number::{coordinates, equation, exact};
 use crate::patch::Patch;
 use crate::path::Rect;
 use crate::sheet::{Align, Label, Sheet};
 use crate::space::{View, axes};
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "math/plane",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::MATH_PLANE_SUMMARY,
-        caption: Key::MATH_PLANE_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "A plane by a point and its normal, and how far a point is from it",
+        it: "Un piano dato da un punto e dalla normale, e la distanza di un punto",
+        cs: "Rovina daná bodem a normálou a vzdálenost bodu od ní",
+        hr: "Ravnina zadana točkom i normalom te udaljenost točke od nje",
+    }
+
+    CAPTION {
+        en: "**n** is perpendicular to the plane, *Q* lies on it: *d* = −**n**·*Q*. In front of the plane the distance is positive.",
+        it: "**n** è perpendicolare al piano, *Q* vi giace: *d* = −**n**·*Q*. Davanti al piano la distanza è positiva.",
+        cs: "**n** je kolmé k rovině, *Q* v ní leží: *d* = −**n**·*Q*. Před rovinou je vzdálenost kladná.",
+        hr: "**n** je okomit na ravninu, *Q* leži u njoj: *d* = −**n**·*Q*. Ispred ravnine udaljenost je pozitivna.",
+    }
+}
 
 /// n, of length 5; Q on the plane; p in front of it.
 const NORMAL_VECTOR: DVec3 = DVec3::new(0.0, 4.0, 3.0);

@@ -5,30 +5,43 @@ use core::f64::consts::FRAC_PI_2;
 use ombra_math::glam::{DVec2, DVec3};
 use ombra_math::spherical::Spherical;
 
-use super::{arrow, point, polyline};
+use super::marks::{arrow, point, polyline};
 use crate::colour::{Ink, Role};
 use crate::drawing::{EMPHASIS, NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::path::{Path, Rect};
 use crate::sheet::{Align, Label, Sheet};
 use crate::space::View;
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "math/spherical",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::MATH_SPHERICAL_SUMMARY,
-        caption: Key::MATH_SPHERICAL_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Spherical coordinates and a solid angle",
+        it: "Coordinate sferiche e un angolo solido",
+        cs: "Sférické souřadnice a prostorový úhel",
+        hr: "Sferne koordinate i prostorni kut",
+    }
+
+    CAPTION {
+        en: "*θ* is measured from the pole, *φ* from *x* towards *y*. The patch of the unit sphere is the solid angle d*ω*.",
+        it: "*θ* si misura dal polo, *φ* da *x* verso *y*. La porzione di sfera unitaria è l’angolo solido d*ω*.",
+        cs: "*θ* se měří od pólu, *φ* od *x* k *y*. Ploška na jednotkové kouli je prostorový úhel d*ω*.",
+        hr: "*θ* se mjeri od pola, *φ* od *x* prema *y*. Djelić jedinične sfere prostorni je kut d*ω*.",
+    }
+}
 
 /// The point shown.
 const P: Spherical = Spherical {

@@ -5,12 +5,11 @@ use core::cmp::Ordering;
 use ombra_math::glam::{DVec2, IVec2};
 use ombra_raster::bresenham::{Choice, Step, trace};
 
-use super::SEGMENT;
+use super::columns::SEGMENT;
 use crate::colour::Role;
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::number::exact;
 use crate::panels::panels;
@@ -18,20 +17,34 @@ use crate::path::Rect;
 use crate::pixels::{Grid, Orientation};
 use crate::sheet::{Label, Sheet};
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/bresenham-choice",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::BRESENHAM_CHOICE_SUMMARY,
-        caption: Key::BRESENHAM_CHOICE_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Bresenham: E or NE, by the side of the midpoint on which the line passes",
+        it: "Bresenham: E o NE, secondo il lato del punto di mezzo da cui passa la retta",
+        cs: "Bresenham: E nebo NE podle toho, kde přímka míjí prostřední bod",
+        hr: "Bresenham: E ili NE, prema tome s koje strane polovišta prolazi pravac",
+    }
+
+    CAPTION {
+        en: "*Q* below *M*: E is nearer. *Q* above *M*: NE is nearer. For *d* = 0 both are equally near, and E is taken.",
+        it: "*Q* sotto *M*: è più vicino E. *Q* sopra *M*: è più vicino NE. Con *d* = 0 è indifferente, e si prende E.",
+        cs: "*Q* pod *M*: blíž je E. *Q* nad *M*: blíž je NE. Při *d* = 0 jsou stejně daleko a bere se E.",
+        hr: "*Q* ispod *M*: bliži je E. *Q* iznad *M*: bliži je NE. Za *d* = 0 jednako su daleko i uzima se E.",
+    }
+}
 
 /// Pixels of [`SEGMENT`] from which the line passes well below the midpoint, and well above it.
 const COLUMNS: [usize; 2] = [2, 4];

@@ -3,12 +3,11 @@
 use ombra_math::glam::{DVec2, IVec2};
 use ombra_raster::bresenham::{Choice, Step, trace};
 
-use super::SEGMENT;
+use super::columns::SEGMENT;
 use crate::colour::Role;
 use crate::drawing::NORMAL;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::number::exact;
 use crate::panels::panels;
@@ -16,27 +15,49 @@ use crate::path::Rect;
 use crate::pixels::{Grid, Orientation};
 use crate::sheet::{Label, Sheet};
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/bresenham-increments",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::BRESENHAM_INCREMENTS_SUMMARY,
-        caption: Key::BRESENHAM_INCREMENTS_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Bresenham: the next midpoint after E and after NE",
+        it: "Bresenham: il punto di mezzo successivo dopo E e dopo NE",
+        cs: "Bresenham: další prostřední bod po E a po NE",
+        hr: "Bresenham: sljedeće polovište nakon E i nakon NE",
+    }
+
+    CAPTION {
+        en: "The decision at the next midpoint *M*′ is an addition away: *dy* after E, *dy* − *dx* after NE.",
+        it: "La decisione nel punto di mezzo successivo *M*′ costa un’addizione: *dy* dopo E, *dy* − *dx* dopo NE.",
+        cs: "K rozhodnutí v dalším prostředním bodě *M*′ stačí sčítání: *dy* po E, *dy* − *dx* po NE.",
+        hr: "Do odluke u sljedećem polovištu *M*′ dovoljno je zbrajanje: *dy* nakon E, *dy* − *dx* nakon NE.",
+    }
+
+    /// After a choice: before its name.
+    AFTER {
+        en: "after",
+        it: "dopo",
+        cs: "po",
+        hr: "nakon",
+    }
+}
 
 /// The pixels of [`SEGMENT`] shown: one goes on to E, one to NE.
 const COLUMNS: [usize; 2] = [2, 1];
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let (a, b) = SEGMENT;
-    let after = Key::AFTER.text(sheet.style().language);
+    let after = AFTER.text(sheet.style().language);
     let pairs = COLUMNS.map(|x| Some((trace(a, b).nth(x)?, trace(a, b).nth(x + 1)?)));
     let pairs: Vec<(Step, Step)> = pairs.into_iter().flatten().collect();
     let lines: Vec<String> = pairs

@@ -3,29 +3,42 @@
 use ombra_math::glam::{DVec2, IVec2};
 use ombra_raster::bresenham::{segment, trace};
 
-use super::{Columns, SEGMENT};
+use super::columns::{Columns, SEGMENT};
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::number::exact;
 use crate::pixels::NUMBERS;
 use crate::sheet::{Label, Sheet};
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/bresenham-trace",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::BRESENHAM_TRACE_SUMMARY,
-        caption: Key::BRESENHAM_TRACE_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Bresenham: a whole segment with the decision of every move",
+        it: "Bresenham: un intero segmento con la decisione di ogni passo",
+        cs: "Bresenham: celá úsečka s rozhodnutím v každém kroku",
+        hr: "Bresenham: cijela dužina s odlukom u svakom koraku",
+    }
+
+    CAPTION {
+        en: "2*F* is an integer: 2*dy* − *dx* = −2 at the start, + 6 after E, − 10 after NE. Above 0 the next pixel is NE, else E.",
+        it: "2*F* è intero: 2*dy* − *dx* = −2 all’inizio, + 6 dopo E, − 10 dopo NE. Se è positivo si va a NE, altrimenti a E.",
+        cs: "2*F* je celé číslo: na začátku 2*dy* − *dx* = −2, + 6 po E, − 10 po NE. Je-li kladné, následuje NE, jinak E.",
+        hr: "2*F* je cijeli broj: na početku 2*dy* − *dx* = −2, + 6 nakon E, − 10 nakon NE. Ako je pozitivan, slijedi NE, inače E.",
+    }
+}
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let (a, b) = SEGMENT;

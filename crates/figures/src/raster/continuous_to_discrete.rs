@@ -4,30 +4,59 @@ use ombra_math::glam::{DVec2, IVec2};
 use ombra_raster::bresenham;
 use ombra_raster::polygon::{FillRule, fill};
 
-use super::pixels;
+use super::columns::pixels;
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::panels::panels;
 use crate::path::Path;
 use crate::pixels::{Grid, Orientation};
 use crate::sheet::Sheet;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/continuous-to-discrete",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::CONTINUOUS_TO_DISCRETE_SUMMARY,
-        caption: Key::CONTINUOUS_TO_DISCRETE_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "A segment and a polygon, and the pixels that stand for them",
+        it: "Un segmento e un poligono, e i pixel che li rappresentano",
+        cs: "Úsečka a polygon a pixely, které je zastupují",
+        hr: "Dužina i poligon te pikseli koji ih predstavljaju",
+    }
+
+    CAPTION {
+        en: "On the left, points of the plane; on the right, pixels: samples at whole places, without a size of their own.",
+        it: "A sinistra punti del piano, a destra pixel: campioni in posizioni intere, senza dimensione propria.",
+        cs: "Vlevo body roviny, vpravo pixely: vzorky v celočíselných místech, bez vlastní velikosti.",
+        hr: "Lijevo točke ravnine, desno pikseli: uzorci na cjelobrojnim mjestima, bez vlastite veličine.",
+    }
+
+    /// The first picture.
+    CONTINUOUS {
+        en: "continuous",
+        it: "continuo",
+        cs: "spojité",
+        hr: "kontinuirano",
+    }
+
+    /// The second picture.
+    DISCRETE {
+        en: "discrete: pixels",
+        it: "discreto: pixel",
+        cs: "diskrétní: pixely",
+        hr: "diskretno: pikseli",
+    }
+}
 
 const SIZE: (u32, u32) = (16, 14);
 const SEGMENT: (IVec2, IVec2) = (IVec2::new(1, 12), IVec2::new(14, 7));
@@ -35,7 +64,7 @@ const POLYGON: [(f64, f64); 5] = [(4.3, 0.8), (11.6, 1.7), (14.2, 5.3), (7.4, 8.
 
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
-    let lines = [Key::CONTINUOUS, Key::DISCRETE].map(|key| key.text(language));
+    let lines = [CONTINUOUS, DISCRETE].map(|word| word.text(language));
     let polygon = POLYGON.map(DVec2::from);
     let (width, height) = SIZE;
     let mut on: Vec<IVec2> = bresenham::segment(SEGMENT.0, SEGMENT.1).collect();

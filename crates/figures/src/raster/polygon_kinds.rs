@@ -3,32 +3,93 @@
 use ombra_math::glam::{DVec2, IVec2};
 use ombra_raster::polygon::{FillRule, fill};
 
-use super::pixels;
+use super::columns::pixels;
 use crate::colour::Role;
 use crate::drawing::THIN;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::panels::panels;
 use crate::path::Rect;
 use crate::pixels::{Grid, Orientation};
 use crate::sheet::{Align, Sheet};
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/polygon-kinds",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::POLYGON_KINDS_SUMMARY,
-        caption: Key::POLYGON_KINDS_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Four kinds of polygon under the even-odd and the non-zero rule",
+        it: "Quattro tipi di poligono con la regola pari-dispari e con quella non-zero",
+        cs: "Čtyři druhy polygonů podle pravidla sudá-lichá a nenulového pravidla",
+        hr: "Četiri vrste poligona po pravilu par-nepar i po pravilu različito od nule",
+    }
+
+    CAPTION {
+        en: "Inside is what the contours wind round an odd number of times, or a number of times other than 0. Arrows show the direction.",
+        it: "È interno ciò attorno a cui i contorni girano un numero dispari di volte, o non zero volte. Le frecce dicono il verso.",
+        cs: "Uvnitř je to, co obrysy obíhají lichým počtem otočení, nebo nenulovým. Šipky udávají směr.",
+        hr: "Unutra je ono što konture obilaze neparan broj puta, ili broj puta različit od nule. Strelice pokazuju smjer.",
+    }
+
+    /// The rule of odd winding numbers.
+    EVEN_ODD {
+        en: "even-odd",
+        it: "pari-dispari",
+        cs: "sudá-lichá",
+        hr: "par-nepar",
+    }
+
+    /// The rule of winding numbers that are not 0.
+    NON_ZERO {
+        en: "non-zero",
+        it: "non-zero",
+        cs: "nenulová",
+        hr: "različito od nule",
+    }
+
+    /// The first kind.
+    KIND_CONVEX {
+        en: "convex",
+        it: "convesso",
+        cs: "konvexní",
+        hr: "konveksan",
+    }
+
+    /// The second kind.
+    KIND_CONCAVE {
+        en: "concave",
+        it: "concavo",
+        cs: "nekonvexní",
+        hr: "konkavan",
+    }
+
+    /// The third kind.
+    KIND_CROSSED {
+        en: "self-crossing",
+        it: "intrecciato",
+        cs: "překřížený",
+        hr: "samosijekući",
+    }
+
+    /// The fourth kind.
+    KIND_SEVERAL {
+        en: "several contours",
+        it: "a contorni multipli",
+        cs: "více obrysů",
+        hr: "više kontura",
+    }
+}
 
 /// Pixels across and down.
 const SIZE: u32 = 12;
@@ -65,25 +126,25 @@ const SEVERAL: &[&[(f64, f64)]] = &[
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
     let kinds = [
-        (Key::KIND_CONVEX, CONVEX),
-        (Key::KIND_CONCAVE, CONCAVE),
-        (Key::KIND_CROSSED, STAR),
-        (Key::KIND_SEVERAL, SEVERAL),
+        (KIND_CONVEX, CONVEX),
+        (KIND_CONCAVE, CONCAVE),
+        (KIND_CROSSED, STAR),
+        (KIND_SEVERAL, SEVERAL),
     ];
-    let lines = kinds.map(|(key, _)| key.text(language));
+    let lines = kinds.map(|(word, _)| word.text(language));
     let heading = 1.9 * LABEL;
     let panels = panels(sheet, &lines, 2.4)?;
     let Some(first) = panels.first() else {
         return Ok(());
     };
     let half = 0.5 * first.size().y;
-    for (row, key, rule) in [
-        (0.0, Key::EVEN_ODD, FillRule::EvenOdd),
-        (1.0, Key::NON_ZERO, FillRule::NonZero),
+    for (row, word, rule) in [
+        (0.0, EVEN_ODD, FillRule::EvenOdd),
+        (1.0, NON_ZERO, FillRule::NonZero),
     ] {
         let top = first.min.y + half * row;
         let at = DVec2::new(first.min.x, top + heading - LABEL);
-        sheet.text(at, Align::Left, key.text(language), LABEL, Role::Text)?;
+        sheet.text(at, Align::Left, word.text(language), LABEL, Role::Text)?;
         for (panel, (_, contours)) in panels.iter().zip(kinds) {
             let frame = Rect::new(
                 DVec2::new(panel.min.x, top + heading),

@@ -5,32 +5,61 @@ use core::cmp::Ordering;
 use ombra_math::glam::{DVec2, IVec2};
 use ombra_raster::polygon::{Crossing, Edge, FillRule, active_edges, edge_table, fill};
 
-use super::pixels;
+use super::columns::pixels;
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::number::decimal;
 use crate::path::Rect;
 use crate::pixels::{Grid, NUMBERS, Orientation};
 use crate::sheet::{Align, Label, Sheet};
 use crate::text::{LABEL, Line, NOTE};
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/scanline",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::SCANLINE_SUMMARY,
-        caption: Key::SCANLINE_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "One scan line: edge table, active edges and the spans between them",
+        it: "Una scan-line: tabella dei lati, lati attivi e gli intervalli tra loro",
+        cs: "Jeden řádek: tabulka hran, aktivní hrany a úseky mezi nimi",
+        hr: "Jedan redak: tablica bridova, aktivni bridovi i rasponi među njima",
+    }
+
+    CAPTION {
+        en: "The active edges cross the row at the places *X*. Between the first and the second, the third and the fourth, centres are inside.",
+        it: "I lati attivi incrociano la riga nei punti *X*. Tra il primo e il secondo, tra il terzo e il quarto, i centri sono interni.",
+        cs: "Aktivní hrany protínají řádek v místech *X*. Mezi prvním a druhým, třetím a čtvrtým leží středy uvnitř.",
+        hr: "Aktivni bridovi sijeku redak na mjestima *X*. Između prvog i drugog, trećeg i četvrtog središta su unutra.",
+    }
+
+    /// Heading of the edge table.
+    EDGE {
+        en: "edge",
+        it: "lato",
+        cs: "hrana",
+        hr: "brid",
+    }
+
+    /// Heading of the edge table: where an edge begins and ends.
+    ROWS {
+        en: "rows",
+        it: "righe",
+        cs: "řádky",
+        hr: "redci",
+    }
+}
 
 /// Pixels across and down, and the row looked at.
 const SIZE: (u32, u32) = (14, 12);
@@ -65,8 +94,8 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
 
     // The edge table: names, rows, and where the row is crossed.
     let mut columns = [
-        vec![Key::SCAN_EDGE.text(language).to_owned()],
-        vec![Key::SCAN_ROWS.text(language).to_owned()],
+        vec![EDGE.text(language).to_owned()],
+        vec![ROWS.text(language).to_owned()],
         vec!["*X*".to_owned()],
     ];
     for (i, edge) in table.iter().enumerate() {

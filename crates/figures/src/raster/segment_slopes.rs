@@ -3,34 +3,63 @@
 use ombra_math::glam::{DVec2, IVec2};
 use ombra_raster::bresenham::segment;
 
-use super::SEGMENT;
+use super::columns::SEGMENT;
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::panels::panels;
 use crate::path::Rect;
 use crate::pixels::{Grid, NUMBERS, Orientation};
 use crate::sheet::Sheet;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/segment-slopes",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::SEGMENT_SLOPES_SUMMARY,
-        caption: Key::SEGMENT_SLOPES_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
 
+words! {
+    SUMMARY {
+        en: "Gentle segments have a pixel a column, steep ones a pixel a row",
+        it: "Un pixel per colonna nei segmenti poco inclinati, uno per riga in quelli ripidi",
+        cs: "Pozvolné úsečky mají pixel v každém sloupci, strmé v každém řádku",
+        hr: "Blage dužine imaju piksel u svakom stupcu, strme u svakom retku",
+    }
+
+    CAPTION {
+        en: "One step along the longer axis, one pixel: no gaps and no doubles.",
+        it: "Un passo lungo l’asse maggiore, un pixel: niente buchi né doppioni.",
+        cs: "Jeden krok podél delší osy, jeden pixel: žádné mezery ani dvojice.",
+        hr: "Jedan korak uzduž dulje osi, jedan piksel: bez rupa i bez dvostrukih.",
+    }
+
+    /// The first picture.
+    COLUMNS {
+        en: "\\|*m*\\|\u{a0}≤\u{a0}1: a pixel a column",
+        it: "\\|*m*\\|\u{a0}≤\u{a0}1: un pixel per colonna",
+        cs: "\\|*m*\\|\u{a0}≤\u{a0}1: pixel v každém sloupci",
+        hr: "\\|*m*\\|\u{a0}≤\u{a0}1: piksel u svakom stupcu",
+    }
+
+    /// The second picture.
+    ROWS {
+        en: "\\|*m*\\|\u{a0}>\u{a0}1: a pixel a row",
+        it: "\\|*m*\\|\u{a0}>\u{a0}1: un pixel per riga",
+        cs: "\\|*m*\\|\u{a0}>\u{a0}1: pixel v každém řádku",
+        hr: "\\|*m*\\|\u{a0}>\u{a0}1: piksel u svakom retku",
+    }
+}
+
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
-    let lines = [Key::SLOPE_COLUMNS, Key::SLOPE_ROWS].map(|key| key.text(language));
+    let lines = [COLUMNS, ROWS].map(|word| word.text(language));
     let (a, b) = SEGMENT;
     let corner = IVec2::splat(b.x);
     for (i, panel) in panels(sheet, &lines, 1.0)?.into_iter().enumerate() {

@@ -3,30 +3,51 @@
 use ombra_math::glam::{DVec2, IVec2};
 use ombra_raster::triangle::{cover, edge_function};
 
-use super::pixels;
+use super::columns::pixels;
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::number::exact;
 use crate::path::Rect;
 use crate::pixels::{Grid, Orientation};
 use crate::sheet::{Align, Sheet};
 use crate::text::LABEL;
+use crate::words::{PIXELS_OF, words};
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/sliver",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::SLIVER_SUMMARY,
-        caption: Key::SLIVER_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "A long thin triangle: pixels found against area",
+        it: "Un triangolo stretto e lungo: pixel trovati e area",
+        cs: "Dlouhý úzký trojúhelník: nalezené pixely a obsah",
+        hr: "Dug i uzak trokut: nađeni pikseli i površina",
+    }
+
+    CAPTION {
+        en: "The same triangle three times, each time an eighth of a pixel lower. Only centres count, so its pixels depend on where it lies.",
+        it: "Lo stesso triangolo tre volte, ogni volta un ottavo di pixel più in basso. Contano solo i centri: i pixel dipendono da dove sta.",
+        cs: "Týž trojúhelník třikrát, pokaždé o osminu pixelu níž. Počítají se jen středy, a tak pixely závisejí na jeho poloze.",
+        hr: "Isti trokut tri puta, svaki put za osminu piksela niže. Broje se samo središta, pa pikseli ovise o tome gdje leži.",
+    }
+
+    /// Before an area.
+    AREA {
+        en: "area",
+        it: "area",
+        cs: "obsah",
+        hr: "površina",
+    }
+}
 
 /// Pixels across and down.
 const SIZE: (u32, u32) = (20, 3);
@@ -59,10 +80,10 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
         let grid = Grid::fit(IVec2::ZERO, last, Orientation::Picture, picture);
         let words = format!(
             "{} {}: {} {}",
-            Key::AREA.text(language),
+            AREA.text(language),
             exact(area(sliver)),
             on.len(),
-            Key::PIXELS_OF.text(language),
+            PIXELS_OF.text(language),
         );
         let at = DVec2::new(grid.bounds().min.x, top + 0.5 * HEADING);
         sheet.text(at, Align::Left, &words, LABEL, Role::Text)?;

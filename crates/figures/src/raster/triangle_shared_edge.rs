@@ -10,28 +10,65 @@ use ombra_raster::triangle::{EdgeRule, cover_plain};
 use crate::colour::{Ink, Role};
 use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::panels::panels;
 use crate::path::Rect;
 use crate::pixels::{Grid, Orientation};
 use crate::sheet::{Align, Sheet};
 use crate::text::LABEL;
+use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/triangle-shared-edge",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::SHARED_EDGE_SUMMARY,
-        caption: Key::SHARED_EDGE_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| draw(sheet),
 };
+
+words! {
+    SUMMARY {
+        en: "Two triangles with a common edge: one owner a pixel, and what comes without the rule",
+        it: "Due triangoli con un lato comune: un solo proprietario per pixel, e che cosa succede senza regola",
+        cs: "Dva trojúhelníky se společnou hranou: každý pixel má jednoho vlastníka, a co nastane bez pravidla",
+        hr: "Dva trokuta sa zajedničkim bridom: svaki piksel ima jednog vlasnika, i što biva bez pravila",
+    }
+
+    CAPTION {
+        en: "The edge runs through six centres. A centre on an edge belongs to the triangle for which the edge is a top or a left one.",
+        it: "Il lato passa per sei centri. Un centro su un lato appartiene al triangolo per cui quel lato è in alto o a sinistra.",
+        cs: "Hrana prochází šesti středy. Střed na hraně patří trojúhelníku, pro který je hrana horní nebo levá.",
+        hr: "Brid prolazi kroz šest središta. Središte na bridu pripada trokutu kojemu je taj brid gornji ili lijevi.",
+    }
+
+    /// The first picture.
+    TOP_LEFT {
+        en: "top-left rule: one owner each",
+        it: "alto-sinistra: un solo proprietario",
+        cs: "vlevo-nahoře: jeden vlastník",
+        hr: "gore-lijevo: jedan vlasnik",
+    }
+
+    /// The second picture.
+    CLOSED {
+        en: "edges inside: drawn twice",
+        it: "lati compresi: disegnati due volte",
+        cs: "hrany uvnitř: kresleno dvakrát",
+        hr: "bridovi unutra: crtano dvaput",
+    }
+
+    /// The third picture.
+    OPEN {
+        en: "edges outside: gaps",
+        it: "lati esclusi: buchi",
+        cs: "hrany venku: mezery",
+        hr: "bridovi izvan: rupe",
+    }
+}
 
 const SIZE: u32 = 8;
 /// The shared edge runs through six centres, the others through none.
@@ -42,11 +79,11 @@ const B: (f64, f64) = (0.7, 7.3);
 fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let language = sheet.style().language;
     let rules = [
-        (Key::SHARED_TOP_LEFT, EdgeRule::TopLeft),
-        (Key::SHARED_CLOSED, EdgeRule::Closed),
-        (Key::SHARED_OPEN, EdgeRule::Open),
+        (TOP_LEFT, EdgeRule::TopLeft),
+        (CLOSED, EdgeRule::Closed),
+        (OPEN, EdgeRule::Open),
     ];
-    let lines = rules.map(|(key, _)| key.text(language));
+    let lines = rules.map(|(word, _)| word.text(language));
     for (panel, (_, rule)) in panels(sheet, &lines, 1.0)?.into_iter().zip(rules) {
         draw_rule(sheet, panel, rule)?;
     }

@@ -4,15 +4,15 @@ use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::plane::Plane;
 use ombra_math::solids::slide_cube;
 
-use super::scene::{Scene, draw_normal, on_sheet};
+use super::setting::{Setting, draw_normal, on_sheet};
 use crate::colour::Role;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::number::{coordinates, equation};
 use crate::sheet::Label;
 use crate::space::{axes, mesh};
 use crate::text::{LABEL, Line};
+use crate::words::words;
 
 /// The lectures' cube, a light at a place, and a wall that leans back and aside (Bologna, Ombre su piani, caso
 /// generale; Olomouc, Projekce na libovolnou plochu).
@@ -23,14 +23,15 @@ pub(super) const FIGURE: Figure = Figure {
         plane: true,
         mesh: true,
     },
-    words: |inputs| Words {
+    words: WORDS,
+    about: |inputs| About {
         summary: match (inputs.is_cube(), inputs.plane) {
-            (true, None) => Key::ANY_PLANE_SUMMARY,
-            (false, None) => Key::OBJECT_ON_WALL_SUMMARY,
-            (true, Some(_)) => Key::CUBE_ON_PLANE_SUMMARY,
-            (false, Some(_)) => Key::OBJECT_ON_PLANE_SUMMARY,
+            (true, None) => ANY_PLANE_SUMMARY,
+            (false, None) => OBJECT_ON_WALL_SUMMARY,
+            (true, Some(_)) => CUBE_ON_PLANE_SUMMARY,
+            (false, Some(_)) => OBJECT_ON_PLANE_SUMMARY,
         },
-        caption: Key::ANY_PLANE_CAPTION,
+        caption: ANY_PLANE_CAPTION,
     },
     drawn: |sheet, inputs| {
         let wall = Plane {
@@ -38,35 +39,35 @@ pub(super) const FIGURE: Figure = Figure {
             d: 20.0,
         };
         let light = DVec4::new(10.0, 60.0, 50.0, 1.0);
-        let scene = Scene::new(inputs, slide_cube, light, wall)?;
-        let stage = scene.stage(sheet.frame(), &beyond(&scene))?;
+        let setting = Setting::new(inputs, slide_cube, light, wall)?;
+        let stage = setting.stage(sheet.frame(), &beyond(&setting))?;
         let view = &stage.view;
 
         // A wall between the eye and the object is drawn over it, see-through.
-        let before = stage.hides(&scene);
+        let before = stage.hides(&setting);
         if before {
-            mesh(sheet, view, &scene.mesh, Role::Occluder);
+            mesh(sheet, view, &setting.mesh, Role::Occluder);
             stage.patch.draw_glass(sheet, view);
         } else {
             stage.patch.draw(sheet, view);
         }
-        scene.draw_shadow(sheet, &stage);
-        scene.draw_edges_in_shadow(sheet, &stage);
+        setting.draw_shadow(sheet, &stage);
+        setting.draw_edges_in_shadow(sheet, &stage);
         axes(sheet, view, stage.patch.axis());
-        scene.draw_rays(sheet, view);
+        setting.draw_rays(sheet, view);
         if !before {
-            mesh(sheet, view, &scene.mesh, Role::Occluder);
+            mesh(sheet, view, &setting.mesh, Role::Occluder);
         }
-        let foot = stage.normal_foot(&scene);
-        draw_normal(sheet, view, scene.plane, foot, scene.normal_length());
-        let words = equation(scene.plane);
+        let foot = stage.normal_foot(&setting);
+        draw_normal(sheet, view, setting.plane, foot, setting.normal_length());
+        let words = equation(setting.plane);
         let line = Line::new(&words, LABEL)?;
         let size = DVec2::new(line.width, line.ascent + line.descent);
-        if let Some((at, out)) = stage.free_edge(&scene, &[foot], size, sheet.frame()) {
+        if let Some((at, out)) = stage.free_edge(&setting, &[foot], size, sheet.frame()) {
             sheet.label(Label::new(at, words).towards(out));
         }
-        scene.draw_light(sheet, view);
-        if let Some(&(_, v, p)) = scene.outermost(view).first() {
+        setting.draw_light(sheet, view);
+        if let Some(&(_, v, p)) = setting.outermost(view).first() {
             for (point, name, role) in [(v, "V", Role::Occluder), (p, "P", Role::Shadow)] {
                 if let Some(at) = on_sheet(sheet, view, point) {
                     marks::point(sheet, at, role);
@@ -78,9 +79,51 @@ pub(super) const FIGURE: Figure = Figure {
     },
 };
 
+words! {
+    /// `shadows/planar-any-plane` in lists.
+    ANY_PLANE_SUMMARY {
+        en: "A cube’s shadow on a slanted wall",
+        it: "L’ombra di un cubo su una parete inclinata",
+        cs: "Stín krychle na šikmé stěně",
+        hr: "Sjena kocke na kosom zidu",
+    }
+
+    /// The same with an instructor's own object.
+    OBJECT_ON_WALL_SUMMARY {
+        en: "An object’s shadow on a slanted wall",
+        it: "L’ombra di un oggetto su una parete inclinata",
+        cs: "Stín tělesa na šikmé stěně",
+        hr: "Sjena objekta na kosom zidu",
+    }
+
+    /// The same with an instructor's own plane.
+    CUBE_ON_PLANE_SUMMARY {
+        en: "A cube’s shadow on a plane",
+        it: "L’ombra di un cubo su un piano",
+        cs: "Stín krychle v rovině",
+        hr: "Sjena kocke na ravnini",
+    }
+
+    /// The same with an instructor's own object and plane.
+    OBJECT_ON_PLANE_SUMMARY {
+        en: "An object’s shadow on a plane",
+        it: "L’ombra di un oggetto su un piano",
+        cs: "Stín tělesa v rovině",
+        hr: "Sjena objekta na ravnini",
+    }
+
+    /// `shadows/planar-any-plane` below the figure.
+    ANY_PLANE_CAPTION {
+        en: "Any plane **n** · *X* + *d* = 0 receives the shadow: every vertex moves along its ray onto it.",
+        it: "Ogni piano **n** · *X* + *d* = 0 riceve l’ombra: ogni vertice vi si sposta lungo il suo raggio.",
+        cs: "Stín dopadá do libovolné roviny **n** · *X* + *d* = 0: každý vrchol se do ní posune po svém paprsku.",
+        hr: "Sjena pada na bilo koju ravninu **n** · *X* + *d* = 0: svaki se vrh po svojoj zraci pomiče na nju.",
+    }
+}
+
 /// Points that make the wall larger than the shadow, so that it reads as a wall and has room for its normal.
-fn beyond(scene: &Scene) -> Vec<DVec3> {
-    let shadow: Vec<DVec3> = scene.casts.iter().copied().flatten().collect();
+fn beyond(setting: &Setting) -> Vec<DVec3> {
+    let shadow: Vec<DVec3> = setting.casts.iter().copied().flatten().collect();
     let middle = shadow.iter().sum::<DVec3>() / shadow.len().max(1) as f64;
     shadow
         .into_iter()

@@ -4,14 +4,15 @@ use ombra_math::glam::{DVec2, DVec4};
 use ombra_math::plane::Plane;
 use ombra_math::solids::slide_cube;
 
-use super::scene::{Scene, Stage};
+use super::setting::Setting;
+use super::stage::Stage;
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{Figure, Inputs, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Inputs, Takes};
 use crate::sheet::Sheet;
 use crate::space::{axes, mesh};
 use crate::table::Table;
+use crate::words::words;
 
 const TAKES: Takes = Takes {
     light: true,
@@ -26,7 +27,8 @@ const AT_A_PLACE: DVec4 = DVec4::new(0.0, 100.0, 100.0, 1.0);
 pub(super) const INFINITY: Figure = Figure {
     id: "shadows/cube-infinity",
     takes: TAKES,
-    words: |inputs| words(inputs, AT_INFINITY),
+    words: WORDS,
+    about: |inputs| words(inputs, AT_INFINITY),
     drawn: |sheet, inputs| draw(sheet, inputs, AT_INFINITY),
 };
 
@@ -34,47 +36,106 @@ pub(super) const INFINITY: Figure = Figure {
 pub(super) const POINT: Figure = Figure {
     id: "shadows/cube-point",
     takes: TAKES,
-    words: |inputs| words(inputs, AT_A_PLACE),
+    words: WORDS,
+    about: |inputs| words(inputs, AT_A_PLACE),
     drawn: |sheet, inputs| draw(sheet, inputs, AT_A_PLACE),
 };
 
+words! {
+    /// `shadows/cube-infinity` in lists.
+    CUBE_INFINITY_SUMMARY {
+        en: "A cube under a light at infinity, its shadow with exact coordinates",
+        it: "Un cubo sotto una luce all’infinito, la sua ombra con le coordinate esatte",
+        cs: "Krychle a zdroj v nekonečnu, její stín s přesnými souřadnicemi",
+        hr: "Kocka i izvor u beskonačnosti, njezina sjena s točnim koordinatama",
+    }
+
+    /// `shadows/cube-infinity` below the figure.
+    CUBE_INFINITY_CAPTION {
+        en: "Light at infinity: every vertex moves along the same direction **L** onto the plane.",
+        it: "Luce all’infinito: ogni vertice si sposta lungo la stessa direzione **L** fino al piano.",
+        cs: "Zdroj v nekonečnu: každý vrchol se posune týmž směrem **L** do roviny.",
+        hr: "Izvor u beskonačnosti: svaki se vrh pomiče istim smjerom **L** do ravnine.",
+    }
+
+    /// The same with an instructor's own object.
+    OBJECT_INFINITY_SUMMARY {
+        en: "An object under a light at infinity and its shadow",
+        it: "Un oggetto sotto una luce all’infinito e la sua ombra",
+        cs: "Těleso pod zdrojem v nekonečnu a jeho stín",
+        hr: "Objekt pod izvorom u beskonačnosti i njegova sjena",
+    }
+
+    /// `shadows/cube-point` in lists.
+    CUBE_POINT_SUMMARY {
+        en: "A cube under a point light, its shadow with exact fractions",
+        it: "Un cubo sotto una luce puntiforme, la sua ombra in frazioni esatte",
+        cs: "Krychle a zdroj v bodě, její stín v přesných zlomcích",
+        hr: "Kocka i točkasti izvor, njezina sjena u točnim razlomcima",
+    }
+
+    /// `shadows/cube-point` below the figure.
+    CUBE_POINT_CAPTION {
+        en: "Light at a place: the rays from **L** spread, so the shadow is larger than the cube.",
+        it: "Luce puntiforme: i raggi da **L** divergono, perciò l’ombra è più grande del cubo.",
+        cs: "Zdroj v bodě: paprsky z **L** se rozbíhají, stín je proto větší než krychle.",
+        hr: "Točkasti izvor: zrake iz **L** se razilaze, pa je sjena veća od kocke.",
+    }
+
+    /// The same with an instructor's own object.
+    OBJECT_POINT_SUMMARY {
+        en: "An object under a point light and its shadow",
+        it: "Un oggetto sotto una luce puntiforme e la sua ombra",
+        cs: "Těleso pod zdrojem v bodě a jeho stín",
+        hr: "Objekt pod točkastim izvorom i njegova sjena",
+    }
+
+    /// The same below the figure.
+    OBJECT_POINT_CAPTION {
+        en: "Light at a place: the rays from **L** spread, so the shadow is larger than the object.",
+        it: "Luce puntiforme: i raggi da **L** divergono, perciò l’ombra è più grande dell’oggetto.",
+        cs: "Zdroj v bodě: paprsky z **L** se rozbíhají, stín je proto větší než těleso.",
+        hr: "Točkasti izvor: zrake iz **L** se razilaze, pa je sjena veća od objekta.",
+    }
+}
+
 /// By the kind of light and by whether the object is the cube.
-fn words(inputs: &Inputs, light: DVec4) -> Words {
+fn words(inputs: &Inputs, light: DVec4) -> About {
     let at_infinity = inputs.light.unwrap_or(light).w == 0.0;
     let (summary, caption) = match (at_infinity, inputs.is_cube()) {
-        (true, true) => (Key::CUBE_INFINITY_SUMMARY, Key::CUBE_INFINITY_CAPTION),
-        (true, false) => (Key::OBJECT_INFINITY_SUMMARY, Key::CUBE_INFINITY_CAPTION),
-        (false, true) => (Key::CUBE_POINT_SUMMARY, Key::CUBE_POINT_CAPTION),
-        (false, false) => (Key::OBJECT_POINT_SUMMARY, Key::OBJECT_POINT_CAPTION),
+        (true, true) => (CUBE_INFINITY_SUMMARY, CUBE_INFINITY_CAPTION),
+        (true, false) => (OBJECT_INFINITY_SUMMARY, CUBE_INFINITY_CAPTION),
+        (false, true) => (CUBE_POINT_SUMMARY, CUBE_POINT_CAPTION),
+        (false, false) => (OBJECT_POINT_SUMMARY, OBJECT_POINT_CAPTION),
     };
-    Words { summary, caption }
+    About { summary, caption }
 }
 
 fn draw(sheet: &mut Sheet, inputs: &Inputs, light: DVec4) -> Result<(), FigureError> {
-    let scene = Scene::new(inputs, slide_cube, light, Plane::GROUND)?;
-    let stage = if scene.has_few() {
-        stage_beside_table(sheet, &scene)?
+    let setting = Setting::new(inputs, slide_cube, light, Plane::GROUND)?;
+    let stage = if setting.has_few() {
+        stage_beside_table(sheet, &setting)?
     } else {
-        scene.stage(sheet.frame(), &[])?
+        setting.stage(sheet.frame(), &[])?
     };
     let view = &stage.view;
     stage.patch.draw(sheet, view);
-    scene.draw_shadow(sheet, &stage);
-    scene.draw_edges_in_shadow(sheet, &stage);
+    setting.draw_shadow(sheet, &stage);
+    setting.draw_edges_in_shadow(sheet, &stage);
     axes(sheet, view, stage.patch.axis());
-    scene.draw_rays(sheet, view);
-    mesh(sheet, view, &scene.mesh, Role::Occluder);
-    scene.draw_light(sheet, view);
-    if scene.has_few() {
-        scene.name_points(sheet, view);
+    setting.draw_rays(sheet, view);
+    mesh(sheet, view, &setting.mesh, Role::Occluder);
+    setting.draw_light(sheet, view);
+    if setting.has_few() {
+        setting.name_points(sheet, view);
     }
     Ok(())
 }
 
-/// The coordinates beside the scene or below it, whichever leaves the scene larger.
-fn stage_beside_table(sheet: &mut Sheet, scene: &Scene) -> Result<Stage, FigureError> {
+/// The coordinates beside the setting or below it, whichever leaves the setting larger.
+fn stage_beside_table(sheet: &mut Sheet, setting: &Setting) -> Result<Stage, FigureError> {
     let frame = sheet.frame();
-    let lines = scene.shadow_coordinates();
+    let lines = setting.shadow_coordinates();
     let beside = Table::new(&lines, 0.0)?;
     let below = Table::new(&lines, frame.size().x)?;
 
@@ -82,7 +143,7 @@ fn stage_beside_table(sheet: &mut Sheet, scene: &Scene) -> Result<Stage, FigureE
     left.max.x -= beside.size().x + SPACE;
     let mut above = frame;
     above.max.y -= below.size().y + SPACE;
-    let stages = (scene.stage(left, &[])?, scene.stage(above, &[])?);
+    let stages = (setting.stage(left, &[])?, setting.stage(above, &[])?);
 
     if stages.0.view.scale() >= stages.1.view.scale() {
         let corner = frame.max - beside.size();
@@ -96,5 +157,5 @@ fn stage_beside_table(sheet: &mut Sheet, scene: &Scene) -> Result<Stage, FigureE
     }
 }
 
-/// Between the scene and the coordinates.
+/// Between the setting and the coordinates.
 const SPACE: f64 = 24.0;

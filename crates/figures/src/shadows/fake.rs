@@ -5,17 +5,17 @@ use ombra_math::plane::Plane;
 use ombra_math::solids::slide_cube;
 use ombra_shadows::fake::ellipse;
 
-use super::scene::{Scene, on_sheet};
+use super::setting::{Setting, on_sheet};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Inputs, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Inputs, Takes};
 use crate::number::as_typed;
 use crate::object::NamedMesh;
 use crate::path::Path;
 use crate::sheet::{Label, Sheet};
 use crate::space::mesh;
+use crate::words::{TRUE_SHADOW, words};
 
 /// Olomouc, Zjednodušení; Croatian 8.4, lažne sjene.
 pub(super) const FIGURE: Figure = Figure {
@@ -25,31 +25,32 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: true,
     },
-    words: |_| Words {
-        summary: Key::FAKE_SUMMARY,
-        caption: Key::FAKE_CAPTION,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, inputs| {
         let light = DVec4::new(6.0, 7.0, -3.0, 0.0);
-        let scene = Scene::new(&lowered(inputs), slide_cube, light, Plane::GROUND)?;
-        let fake = ellipse(&scene.mesh.positions, scene.plane, scene.light).ok_or_else(|| {
+        let setting = Setting::new(&lowered(inputs), slide_cube, light, Plane::GROUND)?;
+        let fake = ellipse(&setting.mesh.positions, setting.plane, setting.light).ok_or_else(|| {
             FigureError::Scene {
                 reason: format!(
                     "the light {} casts no shadow of the object's middle on the ground, where the ellipse would lie (--light)",
-                    as_typed(&scene.light.to_array())
+                    as_typed(&setting.light.to_array())
                 ),
             }
         })?;
         let rim: Vec<DVec3> = (0..CORNERS)
             .map(|i| fake.point(core::f64::consts::TAU * f64::from(i) / f64::from(CORNERS)))
             .collect();
-        let stage = scene.stage(sheet.frame(), &rim)?;
+        let stage = setting.stage(sheet.frame(), &rim)?;
         let view = &stage.view;
         stage.patch.draw(sheet, view);
-        scene.draw_shadow(sheet, &stage);
+        setting.draw_shadow(sheet, &stage);
 
         let language = sheet.style().language;
-        let shadow: Vec<DVec2> = scene
+        let shadow: Vec<DVec2> = setting
             .casts
             .iter()
             .filter_map(|p| on_sheet(sheet, view, (*p)?))
@@ -57,19 +58,43 @@ pub(super) const FIGURE: Figure = Figure {
         if let Some(rim) = view.contour(&rim) {
             sheet.stroke_unmarked(Path::hatching(&rim, 16.0), Pen::new(Role::Chosen, THIN));
             sheet.stroke(Path::polygon(&rim), Pen::new(Role::Chosen, EMPHASIS));
-            let words = Key::FAKE_SHADOW.text(language);
+            let words = SHADOW.text(language);
             name_ellipse(sheet, &rim, &shadow, words);
         }
         if let Some(leftmost) = shadow.into_iter().min_by(|a, b| a.x.total_cmp(&b.x)) {
-            let label = Label::new(leftmost, Key::TRUE_SHADOW.text(language));
+            let label = Label::new(leftmost, TRUE_SHADOW.text(language));
             sheet.label(label.towards(DVec2::NEG_X).ink(Role::Shadow));
         }
 
-        mesh(sheet, view, &scene.mesh, Role::Occluder);
-        scene.draw_light(sheet, view);
+        mesh(sheet, view, &setting.mesh, Role::Occluder);
+        setting.draw_light(sheet, view);
         Ok(())
     },
 };
+
+words! {
+    SUMMARY {
+        en: "A fake shadow, an ellipse, over the true one",
+        it: "Un’ombra finta, un’ellisse, sopra quella vera",
+        cs: "Pseudostín, elipsa, přes skutečný stín",
+        hr: "Lažna sjena, elipsa, preko prave sjene",
+    }
+
+    CAPTION {
+        en: "The ellipse has the object’s largest extents: it says where the object is, not what shape it has.",
+        it: "L’ellisse ha le dimensioni massime dell’oggetto: dice dove si trova, non che forma ha.",
+        cs: "Elipsa má největší rozměry tělesa: říká, kde těleso je, ne jaký má tvar.",
+        hr: "Elipsa ima najveće dimenzije objekta: govori gdje je objekt, a ne kakva je oblika.",
+    }
+
+    /// An ellipse instead of a shadow.
+    SHADOW {
+        en: "fake: an ellipse",
+        it: "finta: un’ellisse",
+        cs: "pseudostín: elipsa",
+        hr: "lažna sjena: elipsa",
+    }
+}
 
 /// Near the ground, over which it hovers as high as this share of its radius.
 const HEIGHT: f64 = 0.6;

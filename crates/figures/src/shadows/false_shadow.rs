@@ -8,8 +8,7 @@ use ombra_shadows::planar::{Placement, classify, shadow_matrix};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, NORMAL, Pen};
 use crate::error::FigureError;
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::number::exact;
 use crate::panels::panels;
@@ -17,18 +16,16 @@ use crate::path::{Path, Rect};
 use crate::section::{STRIP, Section, ground};
 use crate::sheet::{Label, Sheet};
 use crate::text::NOTE;
+use crate::words::{TRUE_SHADOW, Word, words};
 
 /// Olomouc, Nevýhody; Croatian 8.4, projicirane sjene.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/false-shadow",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::FALSE_SHADOW_SUMMARY,
-        caption: Key::FALSE_SHADOW_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| {
         let language = sheet.style().language;
@@ -41,6 +38,54 @@ pub(super) const FIGURE: Figure = Figure {
     },
 };
 
+words! {
+    SUMMARY {
+        en: "A true shadow beside two false ones: object behind the plane, object behind the light",
+        it: "Un’ombra vera e due false: oggetto dietro il piano, oggetto dietro la luce",
+        cs: "Skutečný stín a dva falešné: těleso za rovinou, těleso za zdrojem",
+        hr: "Prava sjena i dvije neispravne: objekt iza ravnine, objekt iza izvora",
+    }
+
+    CAPTION {
+        en: "The matrix finds a point in all three cases; a shadow falls only where the object is between light and plane.",
+        it: "La matrice trova un punto in tutti e tre i casi; l’ombra cade solo se l’oggetto è tra la luce e il piano.",
+        cs: "Matice najde bod ve všech třech případech; stín vrhá jen těleso mezi zdrojem a rovinou.",
+        hr: "Matrica nalazi točku u sva tri slučaja; sjenu baca samo objekt između izvora i ravnine.",
+    }
+
+    /// First panel of `shadows/false-shadow`.
+    BETWEEN {
+        en: "*t* ≤ 0: between",
+        it: "*t* ≤ 0: in mezzo",
+        cs: "*t* ≤ 0: mezi nimi",
+        hr: "*t* ≤ 0: između",
+    }
+
+    /// Second panel of `shadows/false-shadow`.
+    BEHIND_PLANE {
+        en: "0 < *t* < 1: behind the plane",
+        it: "0 < *t* < 1: dietro il piano",
+        cs: "0 < *t* < 1: za rovinou",
+        hr: "0 < *t* < 1: iza ravnine",
+    }
+
+    /// Third panel of `shadows/false-shadow`.
+    BEYOND_LIGHT {
+        en: "*t* > 1: behind the light",
+        it: "*t* > 1: dietro la luce",
+        cs: "*t* > 1: za zdrojem",
+        hr: "*t* > 1: iza izvora",
+    }
+
+    /// What a matrix draws where there is no shadow.
+    FALSE_SHADOW {
+        en: "false shadow",
+        it: "ombra falsa",
+        cs: "falešný stín",
+        hr: "neispravna sjena",
+    }
+}
+
 const LIGHT: DVec4 = DVec4::new(0.0, 4.0, 0.0, 1.0);
 /// The plate's height in each panel, and its ends.
 const HEIGHTS: [f64; 3] = [2.0, -2.0, 6.0];
@@ -51,11 +96,11 @@ const SHOWN: [DVec2; 2] = [DVec2::new(-2.0, -2.3), DVec2::new(2.0, 6.2)];
 const ASIDE: f64 = 0.16;
 
 /// The panel's line, by what the library says of the plate.
-fn line_of(height: f64) -> Key {
+fn line_of(height: f64) -> Word {
     match classify(Plane::GROUND, LIGHT, DVec3::new(ENDS[0], height, 0.0)) {
-        Some(Placement::Casts) => Key::FALSE_SHADOW_BETWEEN,
-        Some(Placement::BehindPlane) => Key::FALSE_SHADOW_BEHIND_PLANE,
-        _ => Key::FALSE_SHADOW_BEYOND_LIGHT,
+        Some(Placement::Casts) => BETWEEN,
+        Some(Placement::BehindPlane) => BEHIND_PLANE,
+        _ => BEYOND_LIGHT,
     }
 }
 
@@ -76,16 +121,16 @@ fn draw(sheet: &mut Sheet, panel: Rect, height: f64) -> Result<(), FigureError> 
         project(shadow_matrix(Plane::GROUND, LIGHT).ok()? * point(v))
     };
     let shadow = plate.map(|v| drawn_by_matrix(v).unwrap_or_default());
-    let is_true = line_of(height) == Key::FALSE_SHADOW_BETWEEN;
+    let is_true = line_of(height) == BETWEEN;
 
     for (v, p) in plate.into_iter().zip(shadow) {
         // In order along the ray; light travels as far as the first thing it meets.
         let (first, last) = match line_of(height) {
-            Key::FALSE_SHADOW_BETWEEN => (v, p),
+            BETWEEN => (v, p),
             _ => (p, v),
         };
         marks::ray_from_sun(sheet, at(light), at(first));
-        let from = if line_of(height) == Key::FALSE_SHADOW_BEYOND_LIGHT {
+        let from = if line_of(height) == BEYOND_LIGHT {
             light
         } else {
             first
@@ -108,14 +153,10 @@ fn draw(sheet: &mut Sheet, panel: Rect, height: f64) -> Result<(), FigureError> 
     sheet.line(c, d, Pen::new(Role::Occluder, 2.0 * EMPHASIS));
     marks::sun(sheet, at(light));
 
-    let words = if is_true {
-        Key::TRUE_SHADOW
-    } else {
-        Key::FALSE_SHADOW
-    };
+    let words = if is_true { TRUE_SHADOW } else { FALSE_SHADOW };
     // Below the ground's hatched strip, clear of rays that go on there.
     let (under, side) = match line_of(height) {
-        Key::FALSE_SHADOW_BEHIND_PLANE => (a.min(b), DVec2::new(-1.0, 1.0)),
+        BEHIND_PLANE => (a.min(b), DVec2::new(-1.0, 1.0)),
         _ => ((a + b) * 0.5, DVec2::Y),
     };
     let label = Label::new(under + DVec2::new(0.0, STRIP), words.text(language));

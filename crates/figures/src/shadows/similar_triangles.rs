@@ -7,14 +7,14 @@ use ombra_shadows::planar::cast;
 use crate::colour::{Ink, Role};
 use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{Figure, Inputs, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Inputs, Takes};
 use crate::marks;
 use crate::number::{as_typed, exact, round_step};
 use crate::path::Path;
 use crate::section::{Section, axes, ground};
 use crate::sheet::{Align, Label, Sheet};
 use crate::text::Line;
+use crate::words::words;
 
 /// Bologna, Ombre su piani, caso speciale.
 pub(super) const FIGURE: Figure = Figure {
@@ -24,18 +24,53 @@ pub(super) const FIGURE: Figure = Figure {
         plane: false,
         mesh: false,
     },
-    words: |inputs| match Proof::of(inputs) {
-        Ok(proof) if !proof.leans() => Words {
-            summary: Key::VERTICAL_RAY_SUMMARY,
-            caption: Key::VERTICAL_RAY_CAPTION,
+    words: WORDS,
+    about: |inputs| match Proof::of(inputs) {
+        Ok(proof) if !proof.leans() => About {
+            summary: VERTICAL_RAY_SUMMARY,
+            caption: VERTICAL_RAY_CAPTION,
         },
-        _ => Words {
-            summary: Key::SIMILAR_TRIANGLES_SUMMARY,
-            caption: Key::SIMILAR_TRIANGLES_CAPTION,
+        _ => About {
+            summary: SIMILAR_TRIANGLES_SUMMARY,
+            caption: SIMILAR_TRIANGLES_CAPTION,
         },
     },
     drawn: |sheet, inputs| Proof::of(inputs)?.draw(sheet),
 };
+
+words! {
+    /// `shadows/planar-similar-triangles` in lists.
+    SIMILAR_TRIANGLES_SUMMARY {
+        en: "Light, vertex and shadow from the side: two similar triangles",
+        it: "Luce, vertice e ombra visti di lato: due triangoli simili",
+        cs: "Zdroj, vrchol a stín ze strany: dva podobné trojúhelníky",
+        hr: "Izvor, vrh i sjena sa strane: dva slična trokuta",
+    }
+
+    /// `shadows/planar-similar-triangles` below the figure.
+    SIMILAR_TRIANGLES_CAPTION {
+        en: "The shadow *P* of the vertex *V* on the plane *y* = 0 follows from two similar triangles.",
+        it: "L’ombra *P* del vertice *V* sul piano *y* = 0 si ricava da due triangoli simili.",
+        cs: "Stín *P* vrcholu *V* v rovině *y* = 0 plyne ze dvou podobných trojúhelníků.",
+        hr: "Sjena *P* vrha *V* na ravnini *y* = 0 slijedi iz dvaju sličnih trokuta.",
+    }
+
+    /// The same in lists with the light right above the vertex.
+    VERTICAL_RAY_SUMMARY {
+        en: "Light, vertex and shadow from the side: one vertical ray",
+        it: "Luce, vertice e ombra visti di lato: un raggio verticale",
+        cs: "Zdroj, vrchol a stín ze strany: svislý paprsek",
+        hr: "Izvor, vrh i sjena sa strane: okomita zraka",
+    }
+
+    /// The same below the figure.
+    VERTICAL_RAY_CAPTION {
+        en: "The light is right above the vertex *V*: its shadow *P* lies straight below, and there are no triangles.",
+        it: "La luce sta esattamente sopra il vertice *V*: l’ombra *P* è sulla sua verticale, e non ci sono triangoli.",
+        cs: "Zdroj je přímo nad vrcholem *V*: stín *P* leží kolmo pod ním a trojúhelníky nevznikají.",
+        hr: "Izvor je točno iznad vrha *V*: sjena *P* leži okomito ispod njega i nema trokuta.",
+    }
+}
 
 const LIGHT: DVec4 = DVec4::new(16.0, 9.0, 0.0, 1.0);
 

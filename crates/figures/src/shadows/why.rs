@@ -6,30 +6,26 @@ use ombra_shadows::planar::cast_onto;
 
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Paint, Pen, THIN};
-use crate::figure::{Figure, Takes, Words};
-use crate::labels::Key;
+use crate::figure::{About, Figure, Takes};
 use crate::panels::panels;
 use crate::patch::Patch;
 use crate::path::Path;
 use crate::sheet::Sheet;
 use crate::space::View;
+use crate::words::words;
 
 /// Bologna, Funzioni dell'ombra; Olomouc, Stíny; Croatian 8.4, uloga sjene u percepciji.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/why",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    },
-    words: |_| Words {
-        summary: Key::WHY_SUMMARY,
-        caption: Key::WHY_CAPTION,
+    takes: Takes::NOTHING,
+    words: WORDS,
+    about: |_| About {
+        summary: SUMMARY,
+        caption: CAPTION,
     },
     drawn: |sheet, _| {
         let language = sheet.style().language;
-        let lines =
-            [Key::WHY_WITHOUT, Key::WHY_RESTING, Key::WHY_HOVERING].map(|key| key.text(language));
+        let lines = [WITHOUT, RESTING, HOVERING].map(|word| word.text(language));
         let frames = panels(sheet, &lines, 0.85)?;
 
         // From far away nothing shrinks with distance, so a ball that moves along the sight line keeps its picture.
@@ -62,6 +58,46 @@ pub(super) const FIGURE: Figure = Figure {
         Ok(())
     },
 };
+
+words! {
+    SUMMARY {
+        en: "The same ball without shadow, resting, hovering",
+        it: "La stessa palla senza ombra, appoggiata, sospesa",
+        cs: "Táž koule bez stínu, na zemi, nad zemí",
+        hr: "Ista kugla bez sjene, na podlozi, iznad podloge",
+    }
+
+    CAPTION {
+        en: "The picture of the ball is the same three times: only the shadow tells where it is.",
+        it: "L’immagine della palla è la stessa tre volte: solo l’ombra dice dove si trova.",
+        cs: "Obraz koule je třikrát týž: jen stín prozradí, kde je.",
+        hr: "Slika kugle triput je ista: samo sjena govori gdje je.",
+    }
+
+    /// First panel of `shadows/why`.
+    WITHOUT {
+        en: "no shadow",
+        it: "senza ombra",
+        cs: "bez stínu",
+        hr: "bez sjene",
+    }
+
+    /// Second panel of `shadows/why`.
+    RESTING {
+        en: "resting",
+        it: "appoggiata",
+        cs: "leží na zemi",
+        hr: "leži na podlozi",
+    }
+
+    /// Third panel of `shadows/why`.
+    HOVERING {
+        en: "hovering",
+        it: "sospesa",
+        cs: "vznáší se",
+        hr: "lebdi",
+    }
+}
 
 /// From above, a little from the left of the picture.
 const LIGHT: DVec4 = DVec4::new(-0.40, 1.0, -0.26, 0.0);

@@ -3,8 +3,8 @@
 use ombra_math::glam::{DVec2, UVec2};
 
 use crate::colour::Role;
-use crate::drawing::{Item, LabelBox, Pen, round};
-use crate::path::{Path, Rect};
+use crate::drawing::{Item, LabelBox, Pen};
+use crate::path::{Path, Rect, round};
 
 /// Points in rows and columns.
 #[derive(Clone, Copy, Debug)]

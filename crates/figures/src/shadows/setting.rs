@@ -1,44 +1,33 @@
 //! What the figures in space share: an object, a light, a plane, and the object's shadow on it.
 
-mod light;
-mod shadow;
-mod stage;
-
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::mesh::Mesh;
 use ombra_math::plane::Plane;
 use ombra_shadows::planar::cast;
 
-use self::light::Sun;
-pub(super) use self::stage::Stage;
 use crate::colour::Role;
 use crate::error::FigureError;
 use crate::figure::Inputs;
 use crate::marks;
 use crate::number::{as_typed, coordinates};
 use crate::object::LABELLED;
-use crate::patch::Patch;
 use crate::path::Rect;
 use crate::sheet::{Label, Sheet};
 use crate::space::View;
 
-/// What lies farther from the object than this many of its radii does not widen the receiver.
-const FAR: f64 = 12.0;
-/// Room beyond the outermost points, for labels.
-const ROOM: DVec2 = DVec2::new(70.0, 34.0);
-
 /// An object, a light and the plane its shadow falls on.
-pub(super) struct Scene {
+pub(super) struct Setting {
     pub mesh: Mesh,
     pub light: DVec4,
     pub plane: Plane,
     /// The shadow of every vertex that has one.
     pub casts: Vec<Option<DVec3>>,
-    centre: DVec3,
-    reach: f64,
+    /// The middle of the object's box and its half diagonal.
+    pub centre: DVec3,
+    pub reach: f64,
 }
 
-impl Scene {
+impl Setting {
     /// # Errors
     ///
     /// [`FigureError::Scene`] when no vertex has a shadow.
@@ -47,7 +36,7 @@ impl Scene {
         mesh: fn() -> Mesh,
         light: DVec4,
         plane: Plane,
-    ) -> Result<Scene, FigureError> {
+    ) -> Result<Setting, FigureError> {
         let mesh = inputs
             .mesh
             .as_ref()
@@ -70,7 +59,7 @@ impl Scene {
             });
         }
         let [low, high] = mesh.bounds().unwrap_or_default();
-        Ok(Scene {
+        Ok(Setting {
             mesh,
             light,
             plane,
@@ -88,45 +77,6 @@ impl Scene {
     /// Length of a normal beside the object.
     pub fn normal_length(&self) -> f64 {
         1.7 * self.reach
-    }
-
-    /// Its view in `frame`, with room for `also`, which lies on the plane.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Patch::around`] and [`View::fit`].
-    pub fn stage(&self, mut frame: Rect, also: &[DVec3]) -> Result<Stage, FigureError> {
-        // A shadow that runs far away is shown as far as the receiver is: what lies near sets the receiver's size.
-        let near = |p: &DVec3| p.distance(self.centre) <= FAR * self.reach;
-        let shadow = self.casts.iter().copied().flatten();
-        let mut on_plane: Vec<DVec3> = shadow.clone().filter(near).collect();
-        if on_plane.is_empty() {
-            on_plane = shadow.collect();
-        }
-        on_plane.extend(also.iter().copied().filter(near));
-        if self.plane.d == 0.0 && near(&DVec3::ZERO) {
-            on_plane.push(DVec3::ZERO);
-        }
-        let patch = Patch::around(self.plane, &on_plane)?;
-
-        let mut shown = self.mesh.positions.clone();
-        shown.extend(patch.corners());
-        if near(&DVec3::ZERO) {
-            let tips = DVec3::AXES.map(|axis| axis * patch.axis());
-            shown.push(DVec3::ZERO);
-            shown.extend(tips);
-        }
-        frame.min += ROOM;
-        frame.max -= ROOM;
-        match self.sun() {
-            Sun::Far(arrow) => shown.extend(arrow),
-            Sun::Near(at) => {
-                shown.push(at);
-                frame.min.y += marks::SUN;
-            }
-        }
-        let view = View::fit(&shown, frame)?;
-        Ok(Stage { view, patch })
     }
 
     /// The shadows' points, each once, with the names of all vertices that have it: *P*_1 = *P*_7.
@@ -192,10 +142,10 @@ pub(super) fn draw_normal(sheet: &mut Sheet, view: &View, plane: Plane, foot: DV
 }
 
 #[cfg(test)]
-fn scene_of(mesh: &str, light: DVec4, plane: Plane) -> Scene {
+pub(super) fn setting_of(mesh: &str, light: DVec4, plane: Plane) -> Setting {
     let inputs = Inputs {
         mesh: Some(mesh.parse().unwrap()),
         ..Inputs::default()
     };
-    Scene::new(&inputs, ombra_math::solids::slide_cube, light, plane).unwrap()
+    Setting::new(&inputs, ombra_math::solids::slide_cube, light, plane).unwrap()
 }

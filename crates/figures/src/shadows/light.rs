@@ -2,7 +2,7 @@
 
 use ombra_math::glam::{DVec2, DVec3};
 
-use super::Scene;
+use super::setting::Setting;
 use crate::marks;
 use crate::number::exact;
 use crate::sheet::{Label, Sheet};
@@ -21,7 +21,7 @@ pub(super) enum Sun {
     Near(DVec3),
 }
 
-impl Scene {
+impl Setting {
     /// How its light is shown.
     pub(super) fn sun(&self) -> Sun {
         let l = self.light;
@@ -173,28 +173,28 @@ mod tests {
     use ombra_math::plane::Plane;
     use ombra_shadows::planar::cast;
 
-    use super::super::scene_of;
+    use super::super::setting::setting_of;
     use super::*;
     use crate::path::Rect;
 
     #[test]
     fn many_vertices_have_two_rays_that_enclose_the_shadow() {
-        let scene = scene_of("torus", DVec4::new(3.0, 9.0, 2.0, 0.0), Plane::GROUND);
+        let setting = setting_of("torus", DVec4::new(3.0, 9.0, 2.0, 0.0), Plane::GROUND);
         let frame = Rect::new(DVec2::ZERO, DVec2::new(1700.0, 900.0));
-        let view = scene.stage(frame, &[]).unwrap().view;
-        let outermost = scene.outermost(&view);
+        let view = setting.stage(frame, &[]).unwrap().view;
+        let outermost = setting.outermost(&view);
         let [(_, v, a), (_, w, b)] = outermost[..] else {
             panic!("{outermost:?}")
         };
-        assert_eq!(cast(scene.plane, scene.light, v), Some(a));
-        assert_eq!(cast(scene.plane, scene.light, w), Some(b));
+        assert_eq!(cast(setting.plane, setting.light, v), Some(a));
+        assert_eq!(cast(setting.plane, setting.light, w), Some(b));
         let (a, b) = (view.project(a).unwrap(), view.project(b).unwrap());
-        let along = view.project(scene.centre).unwrap() - (a + b) * 0.5;
+        let along = view.project(setting.centre).unwrap() - (a + b) * 0.5;
         let aside = |p: DVec2| along.perp_dot(p);
         let (low, high) = (aside(a).min(aside(b)), aside(a).max(aside(b)));
         // The direction is taken from the shadow's middle, which differs a little from that of its two ends.
         let slack = 0.1 * (high - low);
-        for p in scene.casts.iter().flatten() {
+        for p in setting.casts.iter().flatten() {
             let x = aside(view.project(*p).unwrap());
             assert!(x >= low - slack && x <= high + slack);
         }

@@ -4,7 +4,8 @@ use ombra_math::glam::DVec2;
 use ombra_shadows::planar::cast_onto;
 
 use super::light::Sun;
-use super::{Scene, Stage};
+use super::setting::Setting;
+use super::stage::Stage;
 use crate::colour::{Ink, Role};
 use crate::contour::contours;
 use crate::drawing::{Pen, THIN};
@@ -12,7 +13,7 @@ use crate::path::Path;
 use crate::sheet::Sheet;
 use crate::space::creases;
 
-impl Scene {
+impl Setting {
     /// The shadow of every triangle in one path, all of one winding, so that no seam shows.
     pub fn draw_shadow(&self, sheet: &mut Sheet, stage: &Stage) {
         let path = self.shadow(stage);
@@ -106,7 +107,7 @@ mod tests {
     use ombra_math::glam::{DVec3, DVec4};
     use ombra_math::plane::Plane;
 
-    use super::super::scene_of;
+    use super::super::setting::setting_of;
     use super::*;
     use crate::path::Rect;
 
@@ -137,15 +138,15 @@ mod tests {
             // Level with the object, so that a part of it casts nothing and a part of the shadow is cut off.
             ("torus", DVec4::new(25.0, 22.0, 5.0, 1.0), Plane::GROUND),
         ] {
-            let scene = scene_of(mesh, light, plane);
+            let setting = setting_of(mesh, light, plane);
             let frame = Rect::new(DVec2::ZERO, DVec2::new(1700.0, 900.0));
-            let stage = scene.stage(frame, &[]).unwrap();
-            let contour = scene.shadow(&stage);
+            let stage = setting.stage(frame, &[]).unwrap();
+            let contour = setting.shadow(&stage);
             let receiver = stage.patch.corners();
             // Each triangle by itself, whichever way it looks.
-            let pieces: Vec<Path> = (0..scene.mesh.triangles.len())
+            let pieces: Vec<Path> = (0..setting.mesh.triangles.len())
                 .filter_map(|i| {
-                    let corners = scene.mesh.triangle(i)?;
+                    let corners = setting.mesh.triangle(i)?;
                     let piece = cast_onto(&receiver, light, &corners);
                     Some(Path::polygon(&stage.view.contour(&piece)?))
                 })

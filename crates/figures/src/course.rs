@@ -1,0 +1,93 @@
+//! The figures of the whole course, and how they are chosen by name.
+
+use std::sync::LazyLock;
+
+use crate::error::FigureError;
+use crate::figure::Figure;
+use crate::{clip, hsr, math, raster, shadows};
+
+/// All figures, by lecture in the order of the course.
+pub fn figures() -> &'static [Figure] {
+    static ALL: LazyLock<Vec<Figure>> = LazyLock::new(|| {
+        let lectures = [
+            math::FIGURES,
+            raster::FIGURES,
+            clip::FIGURES,
+            hsr::FIGURES,
+            shadows::FIGURES,
+        ];
+        lectures.concat()
+    });
+    &ALL
+}
+
+/// The figures that `patterns` name, each an id or a lecture, in the order of [`figures`]; all when there is none.
+///
+/// # Errors
+///
+/// [`FigureError::UnknownFigure`] for the first pattern that names nothing.
+pub fn select(patterns: &[impl AsRef<str>]) -> Result<Vec<&'static Figure>, FigureError> {
+    let named =
+        |figure: &Figure, pattern: &str| figure.id == pattern || figure.lecture() == pattern;
+    for pattern in patterns {
+        let pattern = pattern.as_ref();
+        if !figures().iter().any(|figure| named(figure, pattern)) {
+            let mut allowed: Vec<&str> = Vec::new();
+            for figure in figures() {
+                if !allowed.contains(&figure.lecture()) {
+                    allowed.push(figure.lecture());
+                }
+                allowed.push(figure.id);
+            }
+            return Err(FigureError::UnknownFigure {
+                pattern: pattern.to_owned(),
+                allowed: allowed.join(", "),
+            });
+        }
+    }
+    let wanted = |figure: &&Figure| {
+        patterns.is_empty() || patterns.iter().any(|p| named(figure, p.as_ref()))
+    };
+    Ok(figures().iter().filter(wanted).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_are_chosen_by_id_and_by_lecture() {
+        assert_eq!(select(&[] as &[&str]).unwrap().len(), figures().len());
+        let one = select(&["shadows/cube-infinity"]).unwrap();
+        assert_eq!(
+            one.iter().map(|figure| figure.id).collect::<Vec<_>>(),
+            ["shadows/cube-infinity"]
+        );
+        let lecture = select(&["shadows"]).unwrap();
+        assert!(lecture.iter().all(|figure| figure.lecture() == "shadows"));
+        let error = select(&["shadows", "shadow/cube"]).unwrap_err().to_string();
+        assert!(
+            error.contains("'shadow/cube'") && error.contains("shadows/cube-infinity"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn ids_are_unique_and_of_one_form() {
+        let mut seen = std::collections::BTreeSet::new();
+        for figure in figures() {
+            assert!(seen.insert(figure.id), "{} is there twice", figure.id);
+            let plain = |part: &str| {
+                !part.is_empty()
+                    && part
+                        .bytes()
+                        .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
+            };
+            assert!(
+                plain(figure.lecture()) && plain(figure.name()),
+                "{}",
+                figure.id
+            );
+        }
+    }
+}
