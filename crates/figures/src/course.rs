@@ -21,33 +21,38 @@ pub fn figures() -> &'static [Figure] {
     &ALL
 }
 
+/// Every name that [`select`] knows: lectures, each followed by its figures.
+pub fn names() -> Vec<&'static str> {
+    let mut names: Vec<&str> = Vec::new();
+    for figure in figures() {
+        if !names.contains(&figure.lecture()) {
+            names.push(figure.lecture());
+        }
+        names.push(figure.id);
+    }
+    names
+}
+
 /// The figures that `patterns` name, each an id or a lecture, in the order of [`figures`]; all when there is none.
 ///
 /// # Errors
 ///
 /// [`FigureError::UnknownFigure`] for the first pattern that names nothing.
 pub fn select(patterns: &[impl AsRef<str>]) -> Result<Vec<&'static Figure>, FigureError> {
-    let named =
-        |figure: &Figure, pattern: &str| figure.id == pattern || figure.lecture() == pattern;
+    let mut patterns = patterns.iter().map(AsRef::as_ref).peekable();
+    let all = patterns.peek().is_none();
+    let mut chosen = Vec::new();
     for pattern in patterns {
-        let pattern = pattern.as_ref();
-        if !figures().iter().any(|figure| named(figure, pattern)) {
-            let mut allowed: Vec<&str> = Vec::new();
-            for figure in figures() {
-                if !allowed.contains(&figure.lecture()) {
-                    allowed.push(figure.lecture());
-                }
-                allowed.push(figure.id);
-            }
+        if !names().contains(&pattern) {
             return Err(FigureError::UnknownFigure {
                 pattern: pattern.to_owned(),
-                allowed: allowed.join(", "),
+                allowed: names().join(", "),
             });
         }
+        chosen.push(pattern);
     }
-    let wanted = |figure: &&Figure| {
-        patterns.is_empty() || patterns.iter().any(|p| named(figure, p.as_ref()))
-    };
+    let wanted =
+        |figure: &&Figure| all || chosen.contains(&figure.id) || chosen.contains(&figure.lecture());
     Ok(figures().iter().filter(wanted).collect())
 }
 

@@ -134,6 +134,15 @@ impl Pen {
     }
 }
 
+/// Pixels, row by row from the upper left: red, green, blue, each times how opaque the pixel is, and that.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels across and down.
+    pub size: (u32, u32),
+    /// Four bytes a pixel.
+    pub rgba: Vec<u8>,
+}
+
 /// One thing drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
@@ -145,6 +154,13 @@ pub enum Item {
         fill: Option<(Paint, FillRule)>,
         /// What is drawn along it, above the filling.
         stroke: Option<Pen>,
+    },
+    /// A picture made of pixels.
+    Picture {
+        /// Where it goes.
+        place: Rect,
+        /// Its pixels.
+        picture: Picture,
     },
     /// A label.
     Text {

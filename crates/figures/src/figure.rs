@@ -7,6 +7,7 @@ use crate::drawing::Drawing;
 use crate::error::FigureError;
 use crate::object::NamedMesh;
 use crate::sheet::Sheet;
+use crate::solid;
 use crate::style::{Language, Style};
 use crate::words::Word;
 
@@ -57,6 +58,27 @@ pub(crate) struct About {
     pub(crate) summary: Word,
     /// One or two sentences below the figure.
     pub(crate) caption: Word,
+    /// One more, where there is something to say of how it was drawn.
+    pub(crate) note: Option<Word>,
+}
+
+impl About {
+    pub(crate) fn new(summary: Word, caption: Word) -> About {
+        About {
+            summary,
+            caption,
+            note: None,
+        }
+    }
+
+    /// The same of a figure that draws the instructor's object.
+    pub(crate) fn with_object(self, inputs: &Inputs) -> About {
+        let object = inputs.mesh.as_ref();
+        About {
+            note: object.and_then(|named| solid::note(&named.mesh)),
+            ..self
+        }
+    }
 }
 
 /// One figure.
@@ -78,9 +100,12 @@ impl Figure {
         (self.about)(inputs).summary.text(language)
     }
 
-    /// One or two sentences on it, set below the figure where the style asks for a caption.
-    pub fn caption(&self, inputs: &Inputs, language: Language) -> &'static str {
-        (self.about)(inputs).caption.text(language)
+    /// Up to three sentences on it, set below the figure where the style asks for a caption.
+    pub fn caption(&self, inputs: &Inputs, language: Language) -> String {
+        let About { caption, note, .. } = (self.about)(inputs);
+        let sentences = [Some(caption), note].into_iter().flatten();
+        let sentences: Vec<&str> = sentences.map(|word| word.text(language)).collect();
+        sentences.join(" ")
     }
 
     /// The lecture, `shadows` of `shadows/cube-infinity`.
@@ -102,7 +127,7 @@ impl Figure {
     /// [`FigureError::Scene`] when light, plane and object leave nothing to draw, [`FigureError::NoRoom`] when a label
     /// has no place.
     pub fn draw(&self, style: &Style, inputs: &Inputs) -> Result<Drawing, FigureError> {
-        let mut sheet = Sheet::new(style, self.caption(inputs, style.language))?;
+        let mut sheet = Sheet::new(style, &self.caption(inputs, style.language))?;
         (self.drawn)(&mut sheet, inputs)?;
         sheet.finish(self.id, self.summary(inputs, style.language))
     }

@@ -43,7 +43,7 @@
 //! | --- | --- |
 //! | [`sheet`] | shapes, fixed text, labels |
 //! | [`marks`] | sun, parallel arrows, eye, points, arrows, rays, normals |
-//! | [`space`], [`patch`] | the house perspective, axes, meshes; the receiving plane |
+//! | [`space`], [`solid`], [`patch`] | the house perspective, axes; solids in it; the receiving plane |
 //! | [`section`] | the plane of a section: x to the right, y up |
 //! | [`panels`], [`table`] | steps from left to right, short lists in columns |
 //! | [`pixels`] | pixels as cells with their centres |
@@ -84,6 +84,7 @@ mod raster;
 pub mod section;
 mod shadows;
 pub mod sheet;
+pub mod solid;
 pub mod space;
 pub mod style;
 pub mod svg;

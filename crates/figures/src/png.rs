@@ -1,15 +1,15 @@
 //! A drawing as pixels.
 
 use tiny_skia::{
-    Color, FillRule as SkiaRule, GradientStop, LineCap, LineJoin, LinearGradient,
-    Paint as SkiaPaint, PathBuilder, Pixmap, Point, RadialGradient, Shader, SpreadMode, Stroke,
-    StrokeDash, Transform,
+    Color, FillRule as SkiaRule, FilterQuality, GradientStop, IntSize, LineCap, LineJoin,
+    LinearGradient, Paint as SkiaPaint, PathBuilder, Pixmap, PixmapPaint, Point, RadialGradient,
+    Shader, SpreadMode, Stroke, StrokeDash, Transform,
 };
 
 use crate::colour::{Ink, Role};
-use crate::drawing::{Drawing, FillRule, HALO, Item, Paint, Pen};
+use crate::drawing::{Drawing, FillRule, HALO, Item, Paint, Pen, Picture};
 use crate::error::FigureError;
-use crate::path::{Path, Segment};
+use crate::path::{Path, Rect, Segment};
 use crate::style::{Background, Size, Theme};
 
 /// The whole file; transparent where the style says so.
@@ -44,6 +44,7 @@ pub fn png(drawing: &Drawing) -> Result<Vec<u8>, FigureError> {
                     canvas.stroke(&outline, pen);
                 }
             }
+            Item::Picture { place, picture } => canvas.picture(place, picture),
             Item::Text {
                 line,
                 at,
@@ -61,6 +62,16 @@ pub fn png(drawing: &Drawing) -> Result<Vec<u8>, FigureError> {
         }
     }
     canvas.pixels.encode_png().map_err(|_| wrong())
+}
+
+/// A picture as a file of its own; none when it has no pixels or not as many as it says.
+pub(crate) fn file(picture: &Picture) -> Option<Vec<u8>> {
+    pixmap(picture)?.encode_png().ok()
+}
+
+fn pixmap(picture: &Picture) -> Option<Pixmap> {
+    let (width, height) = picture.size;
+    Pixmap::from_vec(picture.rgba.clone(), IntSize::from_wh(width, height)?)
 }
 
 struct Canvas {
@@ -126,6 +137,24 @@ impl Canvas {
             anti_alias: true,
             ..SkiaPaint::default()
         }
+    }
+
+    fn picture(&mut self, place: &Rect, picture: &Picture) {
+        let Some(pixels) = pixmap(picture) else {
+            return;
+        };
+        let (at, size) = (place.min.as_vec2(), place.size().as_vec2());
+        let (across, down) = (pixels.width() as f32, pixels.height() as f32);
+        let placed = self
+            .transform
+            .pre_translate(at.x, at.y)
+            .pre_scale(size.x / across, size.y / down);
+        let paint = PixmapPaint {
+            quality: FilterQuality::Bilinear,
+            ..PixmapPaint::default()
+        };
+        self.pixels
+            .draw_pixmap(0, 0, pixels.as_ref(), &paint, placed, None);
     }
 
     fn fill(&mut self, path: &tiny_skia::Path, paint: &Paint, rule: FillRule) {

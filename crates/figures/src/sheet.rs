@@ -9,7 +9,7 @@ pub use self::label::Label;
 use ombra_math::glam::DVec2;
 
 use crate::colour::{Ink, Role};
-use crate::drawing::{Drawing, FillRule, HALO, Item, LabelBox, MARGIN, Paint, Pen, THIN};
+use crate::drawing::{Drawing, FillRule, HALO, Item, LabelBox, MARGIN, Paint, Pen, Picture, THIN};
 use crate::error::FigureError;
 use crate::path::{Path, Rect, round, round_length};
 use crate::place::{Drawn, Wanted, place};
@@ -46,8 +46,13 @@ impl Under {
     fn of(items: &[Item]) -> Under {
         let mut under = Under::default();
         for item in items {
-            let Item::Shape { path, fill, stroke } = item else {
-                continue;
+            let (path, fill, stroke) = match item {
+                Item::Shape { path, fill, stroke } => (path, fill, stroke),
+                Item::Picture { place, .. } => {
+                    under.areas.push(*place);
+                    continue;
+                }
+                Item::Text { .. } => continue,
             };
             let pale = |paint: &Paint| match paint {
                 Paint::Solid(ink) => {
@@ -127,6 +132,11 @@ impl Sheet {
         &self.style
     }
 
+    /// Width and height in thousandths of the shorter side.
+    pub fn canvas(&self) -> DVec2 {
+        self.canvas
+    }
+
     /// Where the figure may draw: the canvas without margin and caption.
     pub fn frame(&self) -> Rect {
         self.frame
@@ -176,6 +186,12 @@ impl Sheet {
             fill: fill.map(|(fill, rule)| (fill.rounded(), rule)),
             stroke: stroke.map(Pen::rounded),
         });
+    }
+
+    /// Puts a picture on the list, in a way that labels may cover.
+    pub fn picture(&mut self, place: Rect, picture: Picture) {
+        let place = Rect::new(round(place.min), round(place.max));
+        self.items.push(Item::Picture { place, picture });
     }
 
     /// The centre points of pixels; those below labels are left out.

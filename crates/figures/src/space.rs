@@ -1,18 +1,16 @@
-//! Figures of space: one house perspective, ground grid, axes, meshes.
+//! Figures of space: one house perspective and its axes.
 //!
 //! The eye always looks from the same side (from the left of +z, a little above), so that a student who has read one
 //! figure has read the axes of all. What is shown is fitted to the canvas; the distance grows with it, so that the
 //! perspective is equally strong in every figure.
 
-use ombra_math::glam::{DVec2, DVec3};
-use ombra_math::mesh::{Edge, Mesh};
+use ombra_math::glam::{DVec2, DVec3, DVec4};
 
-use crate::colour::{Ink, Role};
-use crate::drawing::{NORMAL, Pen, THIN};
+use crate::colour::Role;
+use crate::drawing::NORMAL;
 use crate::error::FigureError;
-use crate::path::{Path, Rect};
+use crate::path::Rect;
 use crate::sheet::{Label, Sheet};
-use crate::style::Theme;
 
 /// From the scene towards the eye; its length does not matter.
 const TOWARDS_EYE: DVec3 = DVec3::new(-0.50, 0.46, 0.80);
@@ -20,8 +18,6 @@ const TOWARDS_EYE: DVec3 = DVec3::new(-0.50, 0.46, 0.80);
 const DISTANCE: f64 = 4.5;
 /// The same where perspective is not to show: sizes differ by a millionth at most.
 const AFAR: f64 = 1e6;
-/// Two faces that meet under less than this cosine show their edge: 30°.
-const CREASE: f64 = 0.866_025_403_784_438_6;
 
 /// The house perspective, fitted to what a figure shows.
 #[derive(Clone, Copy, Debug)]
@@ -105,6 +101,17 @@ impl View {
         (depth > 0.1 * self.radius && at.is_finite()).then_some(at)
     }
 
+    /// [`View::project`] as a matrix: of a point with w = 1, the products with the first two rows, each over that with the
+    /// third, which is [`View::depth`].
+    pub fn rows(&self) -> [DVec4; 3] {
+        let row = |v: DVec3| v.extend(-v.dot(self.eye));
+        let along = row(self.forward);
+        let size = self.radius * self.scale;
+        let across = row(self.right) * size + along * self.offset.x;
+        let down = row(-self.up) * size + along * self.offset.y;
+        [across, down, along]
+    }
+
     /// How large things appear; only views of the same points compare.
     pub fn scale(&self) -> f64 {
         self.scale
@@ -154,146 +161,4 @@ pub fn axes(sheet: &mut Sheet, view: &View, length: f64) {
             sheet.label(label.beside());
         }
     }
-}
-
-/// The edges where a mesh folds or ends, as pairs of vertices.
-pub fn creases(mesh: &Mesh) -> Vec<[usize; 2]> {
-    let normal = |face: Option<u32>| {
-        let [a, b, c] = mesh.triangle(usize::try_from(face?).ok()?)?;
-        Some((b - a).cross(c - a).normalize_or_zero())
-    };
-    let folds = |edge: &Edge| match (normal(edge.left), normal(edge.right)) {
-        (Some(left), Some(right)) => left.dot(right) < CREASE,
-        _ => true,
-    };
-    let ends = |edge: Edge| {
-        let end = |i: u32| usize::try_from(i).ok();
-        Some([end(edge.from)?, end(edge.to)?])
-    };
-    let edges = mesh.edges();
-    edges.into_iter().filter(folds).filter_map(ends).collect()
-}
-
-/// Draws a mesh: faces tinted by orientation from the back to the front, edges where it folds or ends. Back edges are
-/// dashed for a mesh of at most 16 vertices and left out otherwise.
-pub fn mesh(sheet: &mut Sheet, view: &View, mesh: &Mesh, role: Role) {
-    let few = mesh.positions.len() <= crate::object::LABELLED;
-    let flat: Vec<Option<DVec2>> = mesh.positions.iter().map(|&p| view.project(p)).collect();
-
-    let face = |&[i, j, k]: &[u32; 3]| {
-        let corner = |i: u32| {
-            let i = usize::try_from(i).ok()?;
-            Some((*mesh.positions.get(i)?, (*flat.get(i)?)?))
-        };
-        let ((a, a2), (b, b2), (c, c2)) = (corner(i)?, corner(j)?, corner(k)?);
-        Some(Face {
-            corners: [a2, b2, c2],
-            normal: (b - a).cross(c - a).normalize_or_zero(),
-            depth: view.depth((a + b + c) / 3.0),
-            front: (b2 - a2).perp_dot(c2 - a2) < 0.0,
-        })
-    };
-    let faces: Vec<Option<Face>> = mesh.triangles.iter().map(face).collect();
-    let edges = mesh.edges();
-
-    // Painter's order: the farthest first, an edge after the faces it bounds. An open mesh shows its inside too.
-    let closed = edges
-        .iter()
-        .all(|edge| edge.left.is_some() && edge.right.is_some());
-    let mut pieces: Vec<(f64, Piece)> = Vec::new();
-    for face in faces.iter().flatten().filter(|face| face.front || !closed) {
-        let towards_eye = if face.front {
-            face.normal
-        } else {
-            -face.normal
-        };
-        let ink = tint(role, towards_eye, sheet.style().theme);
-        pieces.push((face.depth, Piece::Face(ink, face.corners)));
-    }
-    let mut back = Path::new();
-    for edge in &edges {
-        let beside = |face: Option<u32>| faces.get(usize::try_from(face?).ok()?)?.as_ref();
-        let sides: Vec<&Face> = [edge.left, edge.right]
-            .into_iter()
-            .filter_map(beside)
-            .collect();
-        let (fold, turned_away) = match sides[..] {
-            [a, b] => (
-                a.front != b.front || a.normal.dot(b.normal) < CREASE,
-                !a.front && !b.front,
-            ),
-            _ => (true, false),
-        };
-        let end = |i: u32| flat.get(usize::try_from(i).ok()?).copied().flatten();
-        let (true, Some(a), Some(b)) = (fold, end(edge.from), end(edge.to)) else {
-            continue;
-        };
-        if turned_away {
-            back.add_polyline(&[a, b]);
-        } else {
-            let depth = sides
-                .iter()
-                .map(|face| face.depth)
-                .fold(f64::INFINITY, f64::min);
-            pieces.push((depth, Piece::Edge(a, b)));
-        }
-    }
-    // Stable, and faces came first: at equal depth the edge lies above.
-    pieces.sort_by(|a, b| b.0.total_cmp(&a.0));
-
-    // Neighbours in the order that look alike become one path.
-    let mut rest = pieces.into_iter().map(|(_, piece)| piece).peekable();
-    while let Some(piece) = rest.next() {
-        match piece {
-            Piece::Face(ink, corners) => {
-                let mut path = Path::polygon(&corners);
-                while let Some(Piece::Face(_, corners)) =
-                    rest.next_if(|next| matches!(next, Piece::Face(other, _) if *other == ink))
-                {
-                    path.add_polygon(&corners);
-                }
-                // A hairline of its own colour closes the seams to its neighbours.
-                sheet.fill_unmarked(path, ink, Pen::new(ink, 1.0));
-            }
-            Piece::Edge(a, b) => {
-                let mut path = Path::line(a, b);
-                while let Some(Piece::Edge(a, b)) =
-                    rest.next_if(|next| matches!(next, Piece::Edge(..)))
-                {
-                    path.add_polyline(&[a, b]);
-                }
-                sheet.stroke(path, Pen::new(role, NORMAL));
-            }
-        }
-    }
-    if few {
-        sheet.stroke(back, Pen::new(Ink::of(role).tint(0.8), THIN).dashed());
-    }
-}
-
-/// A triangle as it appears; a front face runs counter-clockwise in space, so it turns to the negative side on a canvas
-/// whose y points down.
-struct Face {
-    corners: [DVec2; 3],
-    normal: DVec3,
-    depth: f64,
-    front: bool,
-}
-
-/// What the painter paints.
-enum Piece {
-    Face(Ink, [DVec2; 3]),
-    Edge(DVec2, DVec2),
-}
-
-/// The tint of a face: the more it looks up and to the front, the lighter; 64 steps.
-fn tint(role: Role, normal: DVec3, theme: Theme) -> Ink {
-    const LIT_FROM: DVec3 = DVec3::new(-0.05, 0.86, 0.50);
-    let lit = (normal.dot(LIT_FROM) * 0.5 + 0.5).clamp(0.0, 1.0);
-    let step = (lit * 64.0).round() / 64.0;
-    let share = match theme {
-        Theme::Light => 0.82 - 0.72 * step,
-        Theme::Dark => 0.10 + 0.55 * step,
-    };
-    Ink::of(role).tint(share)
 }

@@ -12,6 +12,7 @@ use crate::drawing::{Drawing, FillRule, HALO, Item, Paint, Pen};
 use crate::error::FigureError;
 use crate::font::Cut;
 use crate::path::{Path, Segment, round, round_length};
+use crate::png;
 use crate::style::{Background, TextForm, Theme};
 use crate::text::Line;
 
@@ -165,6 +166,15 @@ impl Writer<'_> {
                 }
                 self.line(&format!("<path{attributes} d=\"{}\"/>", data(path)));
             }
+            Item::Picture { place, picture } => {
+                let (at, size) = (place.min, round(place.size()));
+                let file = base64(&png::file(picture).unwrap_or_default());
+                self.line(&format!(
+                    "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+                     href=\"data:image/png;base64,{file}\"/>",
+                    at.x, at.y, size.x, size.y
+                ));
+            }
             Item::Text {
                 line,
                 at,
@@ -284,4 +294,45 @@ pub(crate) fn escaped(text: &str) -> String {
         }
     }
     out
+}
+
+/// Bytes as letters, six bits each.
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let byte = |i| three.get(i).copied().map_or(0, u32::from);
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for i in 0..4 {
+            let letter = LETTERS.get((bits >> (18 - 6 * i) & 63) as usize);
+            text.push(
+                letter
+                    .filter(|_| i <= three.len())
+                    .map_or('=', |&b| char::from(b)),
+            );
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// RFC 4648, 10.
+    #[test]
+    fn bytes_as_letters() {
+        for (bytes, text) in [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("fooba", "Zm9vYmE="),
+            ("foobar", "Zm9vYmFy"),
+        ] {
+            assert_eq!(base64(bytes.as_bytes()), text);
+        }
+        assert_eq!(base64(&[0xfb, 0xff]), "+/8=");
+    }
 }

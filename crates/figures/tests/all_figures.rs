@@ -11,7 +11,7 @@ use ombra_figures::path::Rect;
 use ombra_figures::style::{Background, Language, Size, Style, TextForm, Theme};
 use ombra_figures::text::{LABEL, Line, SMALLEST};
 use ombra_figures::words::Word;
-use ombra_figures::{docs, gallery, png, svg, words};
+use ombra_figures::{docs, gallery, png, solid, svg, words};
 use ombra_math::glam::{DVec2, DVec4};
 
 /// Every figure in every language, aspect and theme, with and without caption, and as it stands in doc comments.
@@ -93,7 +93,7 @@ fn every_letter_drawn_is_in_the_list_of_labels() {
 /// Every word of every figure, those that several share, and the gallery's.
 fn words() -> BTreeSet<Word> {
     let of_figures = figures().iter().map(|figure| figure.words);
-    let all = of_figures.chain([words::WORDS, gallery::WORDS]);
+    let all = of_figures.chain([words::WORDS, gallery::WORDS, solid::WORDS]);
     all.flatten().copied().collect()
 }
 

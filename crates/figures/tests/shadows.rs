@@ -64,7 +64,7 @@ fn told(id: &str, inputs: &Inputs) -> (String, String, Vec<String>, Vec<Item>) {
     let drawing = figure
         .draw(&style, inputs)
         .unwrap_or_else(|error| panic!("{id}: {error}"));
-    let caption = figure.caption(inputs, Language::En).to_owned();
+    let caption = figure.caption(inputs, Language::En);
     let labels = words(&drawing).into_iter().map(str::to_owned).collect();
     let shape = |item: &Item| matches!(item, Item::Shape { .. });
     let shapes = drawing.items.into_iter().filter(shape).collect();
@@ -130,6 +130,43 @@ fn the_words_follow_what_is_drawn() {
     }
 }
 
+/// A solid of many faces is a picture made of pixels, and the caption says so.
+#[test]
+fn a_large_solid_is_drawn_by_pixels_and_the_caption_says_so() {
+    for id in [
+        "shadows/cube-infinity",
+        "shadows/planar-any-plane",
+        "shadows/fake",
+    ] {
+        let figure = select(&[id]).unwrap()[0];
+        for (mesh, large) in [
+            (None, false),
+            (Some("torus"), false),
+            (Some("teapot"), true),
+        ] {
+            let inputs = Inputs {
+                mesh: mesh.map(|mesh| mesh.parse().unwrap()),
+                ..Inputs::default()
+            };
+            for (language, word) in [
+                (Language::En, "z-buffer"),
+                (Language::It, "z-buffer"),
+                (Language::Cs, "z-bufferu"),
+                (Language::Hr, "z-spremnika"),
+            ] {
+                let caption = figure.caption(&inputs, language);
+                assert_eq!(caption.contains(word), large, "{id} {mesh:?}: {caption}");
+            }
+            let drawing = figure.draw(&Style::default(), &inputs).unwrap();
+            let by_pixels = |item: &Item| matches!(item, Item::Picture { .. });
+            assert_eq!(drawing.items.iter().any(by_pixels), large, "{id} {mesh:?}");
+            let svg = svg::svg(&drawing).unwrap();
+            assert_eq!(svg.contains("<image x="), large, "{id} {mesh:?}");
+            assert!(svg.len() < 400_000, "{id} {mesh:?}: {} bytes", svg.len());
+        }
+    }
+}
+
 /// Each input that a figure takes moves its geometry; the light's and the plane's numbers are labels as well.
 #[test]
 fn every_input_a_figure_takes_moves_it() {
@@ -158,7 +195,7 @@ fn every_input_a_figure_takes_moves_it() {
                 "mesh",
                 figure.takes.mesh,
                 Inputs {
-                    mesh: "teapot".parse().ok(),
+                    mesh: "torus".parse().ok(),
                     ..Inputs::default()
                 },
             ),

@@ -17,10 +17,7 @@ pub(super) const FIGURE: Figure = Figure {
     id: "clip/outcodes",
     takes: Takes::NOTHING,
     words: WORDS,
-    about: |_| About {
-        summary: SUMMARY,
-        caption: CAPTION,
-    },
+    about: |_| About::new(SUMMARY, CAPTION),
     drawn: |sheet, _| draw(sheet),
 };
 

@@ -26,10 +26,7 @@ pub(super) const FIGURE: Figure = Figure {
         mesh: true,
     },
     words: WORDS,
-    about: |_| About {
-        summary: SUMMARY,
-        caption: CAPTION,
-    },
+    about: |_| About::new(SUMMARY, CAPTION),
     drawn: |sheet, inputs| draw(sheet, &Solid::new(inputs)?),
 };
 

@@ -21,10 +21,7 @@ pub(super) const FIGURE: Figure = Figure {
     id: "hsr/painter-cycle",
     takes: Takes::NOTHING,
     words: WORDS,
-    about: |_| About {
-        summary: SUMMARY,
-        caption: CAPTION,
-    },
+    about: |_| About::new(SUMMARY, CAPTION),
     drawn: |sheet, _| draw(sheet, &sticks(SLOPE)),
 };
 

@@ -26,10 +26,7 @@ pub(super) const FIGURE: Figure = Figure {
     id: "hsr/zbuffer-steps",
     takes: Takes::NOTHING,
     words: WORDS,
-    about: |_| About {
-        summary: SUMMARY,
-        caption: CAPTION,
-    },
+    about: |_| About::new(SUMMARY, CAPTION),
     drawn: |sheet, _| draw_steps(sheet),
 };
 

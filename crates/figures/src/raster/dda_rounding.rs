@@ -18,10 +18,7 @@ pub(super) const FIGURE: Figure = Figure {
     id: "raster/dda-rounding",
     takes: Takes::NOTHING,
     words: WORDS,
-    about: |_| About {
-        summary: SUMMARY,
-        caption: CAPTION,
-    },
+    about: |_| About::new(SUMMARY, CAPTION),
     drawn: |sheet, _| draw(sheet),
 };
 

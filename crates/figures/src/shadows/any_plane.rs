@@ -10,7 +10,8 @@ use crate::figure::{About, Figure, Takes};
 use crate::marks;
 use crate::number::{coordinates, equation};
 use crate::sheet::Label;
-use crate::space::{axes, mesh};
+use crate::solid::mesh;
+use crate::space::axes;
 use crate::text::{LABEL, Line};
 use crate::words::words;
 
@@ -24,14 +25,14 @@ pub(super) const FIGURE: Figure = Figure {
         mesh: true,
     },
     words: WORDS,
-    about: |inputs| About {
-        summary: match (inputs.is_cube(), inputs.plane) {
+    about: |inputs| {
+        let summary = match (inputs.is_cube(), inputs.plane) {
             (true, None) => ANY_PLANE_SUMMARY,
             (false, None) => OBJECT_ON_WALL_SUMMARY,
             (true, Some(_)) => CUBE_ON_PLANE_SUMMARY,
             (false, Some(_)) => OBJECT_ON_PLANE_SUMMARY,
-        },
-        caption: ANY_PLANE_CAPTION,
+        };
+        About::new(summary, ANY_PLANE_CAPTION).with_object(inputs)
     },
     drawn: |sheet, inputs| {
         let wall = Plane {
@@ -46,7 +47,7 @@ pub(super) const FIGURE: Figure = Figure {
         // A wall between the eye and the object is drawn over it, see-through.
         let before = stage.hides(&setting);
         if before {
-            mesh(sheet, view, &setting.mesh, Role::Occluder);
+            mesh(sheet, view, &setting.mesh, Role::Occluder)?;
             stage.patch.draw_glass(sheet, view);
         } else {
             stage.patch.draw(sheet, view);
@@ -56,7 +57,7 @@ pub(super) const FIGURE: Figure = Figure {
         axes(sheet, view, stage.patch.axis());
         setting.draw_rays(sheet, view);
         if !before {
-            mesh(sheet, view, &setting.mesh, Role::Occluder);
+            mesh(sheet, view, &setting.mesh, Role::Occluder)?;
         }
         let foot = stage.normal_foot(&setting);
         draw_normal(sheet, view, setting.plane, foot, setting.normal_length());

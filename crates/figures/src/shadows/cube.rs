@@ -10,7 +10,8 @@ use crate::colour::Role;
 use crate::error::FigureError;
 use crate::figure::{About, Figure, Inputs, Takes};
 use crate::sheet::Sheet;
-use crate::space::{axes, mesh};
+use crate::solid::mesh;
+use crate::space::axes;
 use crate::table::Table;
 use crate::words::words;
 
@@ -28,7 +29,7 @@ pub(super) const INFINITY: Figure = Figure {
     id: "shadows/cube-infinity",
     takes: TAKES,
     words: WORDS,
-    about: |inputs| words(inputs, AT_INFINITY),
+    about: |inputs| about(inputs, AT_INFINITY),
     drawn: |sheet, inputs| draw(sheet, inputs, AT_INFINITY),
 };
 
@@ -37,7 +38,7 @@ pub(super) const POINT: Figure = Figure {
     id: "shadows/cube-point",
     takes: TAKES,
     words: WORDS,
-    about: |inputs| words(inputs, AT_A_PLACE),
+    about: |inputs| about(inputs, AT_A_PLACE),
     drawn: |sheet, inputs| draw(sheet, inputs, AT_A_PLACE),
 };
 
@@ -100,7 +101,7 @@ words! {
 }
 
 /// By the kind of light and by whether the object is the cube.
-fn words(inputs: &Inputs, light: DVec4) -> About {
+fn about(inputs: &Inputs, light: DVec4) -> About {
     let at_infinity = inputs.light.unwrap_or(light).w == 0.0;
     let (summary, caption) = match (at_infinity, inputs.is_cube()) {
         (true, true) => (CUBE_INFINITY_SUMMARY, CUBE_INFINITY_CAPTION),
@@ -108,7 +109,7 @@ fn words(inputs: &Inputs, light: DVec4) -> About {
         (false, true) => (CUBE_POINT_SUMMARY, CUBE_POINT_CAPTION),
         (false, false) => (OBJECT_POINT_SUMMARY, OBJECT_POINT_CAPTION),
     };
-    About { summary, caption }
+    About::new(summary, caption).with_object(inputs)
 }
 
 fn draw(sheet: &mut Sheet, inputs: &Inputs, light: DVec4) -> Result<(), FigureError> {
@@ -124,7 +125,7 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs, light: DVec4) -> Result<(), FigureEr
     setting.draw_edges_in_shadow(sheet, &stage);
     axes(sheet, view, stage.patch.axis());
     setting.draw_rays(sheet, view);
-    mesh(sheet, view, &setting.mesh, Role::Occluder);
+    mesh(sheet, view, &setting.mesh, Role::Occluder)?;
     setting.draw_light(sheet, view);
     if setting.has_few() {
         setting.name_points(sheet, view);

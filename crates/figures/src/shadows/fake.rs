@@ -14,7 +14,7 @@ use crate::number::as_typed;
 use crate::object::NamedMesh;
 use crate::path::Path;
 use crate::sheet::{Label, Sheet};
-use crate::space::mesh;
+use crate::solid::mesh;
 use crate::words::{TRUE_SHADOW, words};
 
 /// Olomouc, Zjednodušení; Croatian 8.4, lažne sjene.
@@ -26,10 +26,7 @@ pub(super) const FIGURE: Figure = Figure {
         mesh: true,
     },
     words: WORDS,
-    about: |_| About {
-        summary: SUMMARY,
-        caption: CAPTION,
-    },
+    about: |inputs| About::new(SUMMARY, CAPTION).with_object(inputs),
     drawn: |sheet, inputs| {
         let light = DVec4::new(6.0, 7.0, -3.0, 0.0);
         let setting = Setting::new(&lowered(inputs), slide_cube, light, Plane::GROUND)?;
@@ -66,7 +63,7 @@ pub(super) const FIGURE: Figure = Figure {
             sheet.label(label.towards(DVec2::NEG_X).ink(Role::Shadow));
         }
 
-        mesh(sheet, view, &setting.mesh, Role::Occluder);
+        mesh(sheet, view, &setting.mesh, Role::Occluder)?;
         setting.draw_light(sheet, view);
         Ok(())
     },

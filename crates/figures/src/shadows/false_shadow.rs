@@ -23,10 +23,7 @@ pub(super) const FIGURE: Figure = Figure {
     id: "shadows/false-shadow",
     takes: Takes::NOTHING,
     words: WORDS,
-    about: |_| About {
-        summary: SUMMARY,
-        caption: CAPTION,
-    },
+    about: |_| About::new(SUMMARY, CAPTION),
     drawn: |sheet, _| {
         let language = sheet.style().language;
         let lines = HEIGHTS.map(|height| line_of(height).text(language));

@@ -11,7 +11,7 @@ use crate::contour::contours;
 use crate::drawing::{Pen, THIN};
 use crate::path::Path;
 use crate::sheet::Sheet;
-use crate::space::creases;
+use crate::solid::creases;
 
 impl Setting {
     /// The shadow of every triangle in one path, all of one winding, so that no seam shows.

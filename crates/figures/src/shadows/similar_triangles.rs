@@ -26,14 +26,8 @@ pub(super) const FIGURE: Figure = Figure {
     },
     words: WORDS,
     about: |inputs| match Proof::of(inputs) {
-        Ok(proof) if !proof.leans() => About {
-            summary: VERTICAL_RAY_SUMMARY,
-            caption: VERTICAL_RAY_CAPTION,
-        },
-        _ => About {
-            summary: SIMILAR_TRIANGLES_SUMMARY,
-            caption: SIMILAR_TRIANGLES_CAPTION,
-        },
+        Ok(proof) if !proof.leans() => About::new(VERTICAL_RAY_SUMMARY, VERTICAL_RAY_CAPTION),
+        _ => About::new(SIMILAR_TRIANGLES_SUMMARY, SIMILAR_TRIANGLES_CAPTION),
     },
     drawn: |sheet, inputs| Proof::of(inputs)?.draw(sheet),
 };

@@ -19,10 +19,7 @@ pub(super) const FIGURE: Figure = Figure {
     id: "shadows/why",
     takes: Takes::NOTHING,
     words: WORDS,
-    about: |_| About {
-        summary: SUMMARY,
-        caption: CAPTION,
-    },
+    about: |_| About::new(SUMMARY, CAPTION),
     drawn: |sheet, _| {
         let language = sheet.style().language;
         let lines = [WITHOUT, RESTING, HOVERING].map(|word| word.text(language));
