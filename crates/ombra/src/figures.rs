@@ -1,46 +1,49 @@
 //! `ombra figures`.
 
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
-use ombra_figures::course::select;
+use ombra_figures::course::{names, select};
 use ombra_figures::docs::write_docs;
 use ombra_figures::error::FigureError;
 use ombra_figures::figure::{Figure, Inputs, Takes, parse_light, parse_plane};
 use ombra_figures::object::NamedMesh;
 use ombra_figures::style::{Background, Format, Language, Size, Style, TextForm, Theme};
 use ombra_figures::write;
+use ombra_math::glam::DVec4;
+use ombra_math::plane::Plane;
 
 /// What `ombra figures` takes.
 #[derive(Args)]
 pub struct Options {
     /// Figures or lectures: `shadows/cube-point`, `shadows`; all if none is named
+    #[arg(value_parser = PossibleValuesParser::new(names()), hide_possible_values = true)]
     select: Vec<String>,
-    /// Formats, separated by commas: svg, png
-    #[arg(long, default_value = "svg,png")]
-    format: String,
-    /// Size in pixels, WIDTHxHEIGHT
-    #[arg(long, default_value = "1920x1080")]
-    size: String,
-    /// light or dark
-    #[arg(long, default_value = "light")]
-    theme: String,
-    /// Language of the labels: en, it, cs, hr
-    #[arg(long, default_value = "en")]
-    lang: String,
-    /// theme or transparent
-    #[arg(long, default_value = "theme")]
-    background: String,
+    /// Formats, separated by commas
+    #[arg(long, default_value = "svg,png", value_delimiter = ',', value_parser = one_of(Format::ALL, Format::word))]
+    format: Vec<Format>,
+    /// Size in pixels
+    #[arg(long, default_value_t = Size::FULL_HD, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    size: Size,
+    #[arg(long, default_value_t = Theme::Light, value_parser = one_of(Theme::ALL, Theme::word))]
+    theme: Theme,
+    /// Language of the labels
+    #[arg(long, default_value_t = Language::En, value_parser = one_of(Language::ALL, Language::word))]
+    lang: Language,
+    #[arg(long, default_value_t = Background::Theme, value_parser = one_of(Background::ALL, Background::word))]
+    background: Background,
     /// Your own light x,y,z,w: w = 1 a place, w = 0 a direction towards the light
-    #[arg(long, value_name = "X,Y,Z,W", allow_hyphen_values = true)]
-    light: Option<String>,
+    #[arg(long, value_name = "X,Y,Z,W", allow_hyphen_values = true, value_parser = light)]
+    light: Option<DVec4>,
     /// Your own plane a,b,c,d: ax + by + cz + d = 0
-    #[arg(long, value_name = "A,B,C,D", allow_hyphen_values = true)]
-    plane: Option<String>,
+    #[arg(long, value_name = "A,B,C,D", allow_hyphen_values = true, value_parser = plane)]
+    plane: Option<Plane>,
     /// Your own object: an OBJ file, or cube, teapot, sphere, torus
-    #[arg(long, value_name = "FILE.obj|NAME")]
-    mesh: Option<String>,
+    #[arg(long, value_name = "FILE.obj|NAME", value_parser = object)]
+    mesh: Option<NamedMesh>,
     /// SVG with text elements instead of outlines, for editing
     #[arg(long)]
     text: bool,
@@ -53,6 +56,40 @@ pub struct Options {
     /// Rewrites the small SVGs committed with the crates and the notes; run from the repository's root
     #[arg(long, conflicts_with_all = ["select", "format", "size", "theme", "lang", "background", "light", "plane", "mesh", "text", "caption", "out"])]
     docs: bool,
+}
+
+/// Reads one of `all` by its word; clap names them where another is typed.
+pub fn one_of<T>(all: &'static [T], word: fn(T) -> &'static str) -> impl TypedValueParser<Value = T>
+where
+    T: FromStr<Err = FigureError> + Copy + Send + Sync,
+{
+    let words = all.iter().map(|&value| word(value));
+    PossibleValuesParser::new(words).try_map(|word| word.parse())
+}
+
+/// What is allowed: clap has said which option has which value.
+fn allowed(error: FigureError) -> String {
+    match error {
+        FigureError::Value { allowed, .. } => format!("it is {allowed}"),
+        FigureError::Object { reason, .. } => reason,
+        _ => error.to_string(),
+    }
+}
+
+pub fn size(text: &str) -> Result<Size, String> {
+    text.parse().map_err(allowed)
+}
+
+fn light(text: &str) -> Result<DVec4, String> {
+    parse_light(text).map_err(allowed)
+}
+
+fn plane(text: &str) -> Result<Plane, String> {
+    parse_plane(text).map_err(allowed)
+}
+
+fn object(text: &str) -> Result<NamedMesh, String> {
+    text.parse().map_err(allowed)
 }
 
 pub fn run(options: &Options) -> Result<(), String> {
@@ -72,12 +109,11 @@ pub fn named(out: &Path, error: &FigureError) -> String {
 
 fn draw(options: &Options) -> Result<(), FigureError> {
     let chosen = select(&options.select)?;
-    let formats = formats(&options.format)?;
     let style = Style {
-        size: options.size.parse::<Size>()?,
-        theme: options.theme.parse::<Theme>()?,
-        language: options.lang.parse::<Language>()?,
-        background: options.background.parse::<Background>()?,
+        size: options.size,
+        theme: options.theme,
+        language: options.lang,
+        background: options.background,
         text: if options.text {
             TextForm::Text
         } else {
@@ -86,14 +122,11 @@ fn draw(options: &Options) -> Result<(), FigureError> {
         caption: options.caption,
     };
     let inputs = Inputs {
-        light: options.light.as_deref().map(parse_light).transpose()?,
-        plane: options.plane.as_deref().map(parse_plane).transpose()?,
-        mesh: options
-            .mesh
-            .as_deref()
-            .map(str::parse::<NamedMesh>)
-            .transpose()?,
+        light: options.light,
+        plane: options.plane,
+        mesh: options.mesh.clone(),
     };
+    let formats = each_once(&options.format);
     refuse_what_none_takes(&chosen, &inputs)?;
     // Everything is laid out before anything is written.
     for figure in &chosen {
@@ -123,16 +156,10 @@ fn counted(n: usize, thing: &str) -> String {
     format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
 }
 
-/// The formats named in `text`, each once.
-pub fn formats(text: &str) -> Result<Vec<Format>, FigureError> {
-    let mut formats = Vec::new();
-    for word in text.split(',') {
-        let format = word.trim().parse()?;
-        if !formats.contains(&format) {
-            formats.push(format);
-        }
-    }
-    Ok(formats)
+/// The formats, each once.
+pub fn each_once(formats: &[Format]) -> Vec<Format> {
+    let all = Format::ALL.iter().copied();
+    all.filter(|format| formats.contains(format)).collect()
 }
 
 /// An option that no chosen figure takes is a mistake worth telling.

@@ -6,16 +6,17 @@ use ombra_figures::figure::Inputs;
 use ombra_figures::style::Language;
 use ombra_trade::studies;
 
+use crate::figures::one_of;
+
 /// What `ombra list` takes.
 #[derive(Args)]
 pub struct Options {
-    /// Language of the lines: en, it, cs, hr
-    #[arg(long, default_value = "en")]
-    lang: String,
+    /// Language of the lines
+    #[arg(long, default_value_t = Language::En, value_parser = one_of(Language::ALL, Language::word))]
+    lang: Language,
 }
 
-pub fn run(options: &Options) -> Result<(), String> {
-    let language: Language = options.lang.parse().map_err(|e| format!("{e}"))?;
+pub fn run(options: &Options) {
     let width = figures()
         .iter()
         .map(|figure| figure.id.len())
@@ -24,30 +25,29 @@ pub fn run(options: &Options) -> Result<(), String> {
     crate::print("figures");
     for figure in figures() {
         let takes = figure.takes;
-        let options = [
+        let names = [
             ("--light", takes.light),
             ("--plane", takes.plane),
             ("--mesh", takes.mesh),
         ];
-        let options: Vec<_> = options
+        let names: Vec<_> = names
             .iter()
             .filter(|(_, taken)| *taken)
             .map(|(name, _)| *name)
             .collect();
-        let suffix = if options.is_empty() {
+        let suffix = if names.is_empty() {
             String::new()
         } else {
-            format!("  [{}]", options.join(" "))
+            format!("  [{}]", names.join(" "))
         };
         crate::print(format_args!(
             "  {:width$}  {}{suffix}",
             figure.id,
-            figure.summary(&Inputs::default(), language)
+            figure.summary(&Inputs::default(), options.lang)
         ));
     }
     crate::print("studies");
     for study in studies() {
         crate::print(format_args!("  {:width$}  {}", study.id, study.summary));
     }
-    Ok(())
 }

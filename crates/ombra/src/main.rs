@@ -1,23 +1,14 @@
 //! `ombra`: figures for slides, and the measured trade of speed against accuracy.
 //!
-//! Nothing but reading arguments and printing: the work is done in [`ombra_figures`] and [`ombra_trade`]. The lectures:
-//!
-//! | crate | lecture |
-//! | --- | --- |
-//! | [`ombra_raster`](../ombra_raster/index.html) | rasterization: segments, polygons, triangles |
-//! | [`ombra_clip`](../ombra_clip/index.html) | clipping: points, segments, polygons, the view volume |
-//! | [`ombra_hsr`](../ombra_hsr/index.html) | hidden surfaces: object space, image space, painter, z-buffer |
-//! | [`ombra_shadows`](../ombra_shadows/index.html) | shadows on a plane |
-//! | [`ombra_math`](../ombra_math/index.html) | what all of them stand on: planes, views, meshes, exact signs |
+//! Nothing but reading arguments and printing: the work is done in [`ombra_figures`] and [`ombra_trade`].
 
 mod figures;
 mod list;
-mod mistyped;
 mod trade;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 
 /// The course you can run: slide figures and measured trade-offs.
 #[derive(Parser)]
@@ -37,15 +28,15 @@ enum Command {
     List(list::Options),
 }
 
+/// Help, version and what is mistyped are clap's to answer.
 fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
-        Ok(arguments) => arguments,
-        Err(error) => return refuse(&error),
-    };
-    let result = match arguments.command {
+    let result = match Arguments::parse().command {
         Command::Figures(options) => figures::run(&options),
         Command::Trade(options) => trade::run(&options),
-        Command::List(options) => list::run(&options),
+        Command::List(options) => {
+            list::run(&options);
+            Ok(())
+        }
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -56,26 +47,98 @@ fn main() -> ExitCode {
     }
 }
 
-/// Help and version are printed as clap does; a mistake gets a sentence.
-fn refuse(error: &clap::Error) -> ExitCode {
-    let mut command = Arguments::command();
-    command.build();
-    let typed = std::env::args_os().skip(1);
-    let typed: Vec<String> = typed.filter_map(|word| word.into_string().ok()).collect();
-    match mistyped::sentence(error, &command, &typed) {
-        Some(sentence) => {
-            eprintln!("ombra: {sentence}");
-            ExitCode::from(2)
-        }
-        None => {
-            let _ = error.print();
-            ExitCode::SUCCESS
-        }
-    }
-}
-
 /// Prints a line; a reader that went away (`ombra list | head`) is no error.
 fn print(line: impl core::fmt::Display) {
     use std::io::Write as _;
     let _ = writeln!(std::io::stdout(), "{line}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The answer to a command line and its exit code; none where it is understood.
+    fn answer(words: &str) -> Option<(String, i32)> {
+        let typed = ["ombra"].into_iter().chain(words.split_whitespace());
+        let error = Arguments::try_parse_from(typed).err()?;
+        Some((error.to_string(), error.exit_code()))
+    }
+
+    #[test]
+    fn a_mistake_is_named_with_what_is_allowed() {
+        for (words, parts) in [
+            (
+                "figures --thme dark",
+                &["'--thme'", "similar", "--theme"][..],
+            ),
+            (
+                "figures --theme dar",
+                &["'dar'", "--theme", "light, dark", "similar"],
+            ),
+            ("figures --theme pink", &["'pink'", "light, dark"]),
+            ("figures --format svg,jpg", &["'jpg'", "svg, png"]),
+            ("trade --lang EN", &["'EN'", "--lang", "en, it, cs, hr"]),
+            ("list raster", &["'raster'", "ombra list"]),
+            (
+                "figures --size",
+                &["--size <WIDTHxHEIGHT>", "value is required"],
+            ),
+            (
+                "figures --size 63x64",
+                &["'63x64'", "it is WIDTHxHEIGHT in pixels", "16384"],
+            ),
+            (
+                "figures --light 0,0,0,0",
+                &["'0,0,0,0'", "--light", "it is four finite numbers"],
+            ),
+            (
+                "figures --plane 1,2",
+                &["'1,2'", "--plane", "it is four finite numbers"],
+            ),
+            (
+                "figures --mesh dragon",
+                &["'dragon'", "--mesh", "cube, teapot, sphere, torus"],
+            ),
+            (
+                "figures hsr/zbufer-steps",
+                &["'hsr/zbufer-steps'", "'hsr/zbuffer-steps'", "raster/dda"],
+            ),
+            (
+                "trade planar",
+                &["'planar'", "planar-precision", "clip-segment"],
+            ),
+            ("figures --text=yes", &["'yes'", "--text"]),
+            (
+                "figures --docs --size 640x360",
+                &["--docs", "cannot be used with", "--size"],
+            ),
+            ("figures --lang en --lang it", &["--lang", "multiple times"]),
+            ("figurs", &["'figurs'", "figures"]),
+            ("--quick", &["'--quick'"]),
+            ("", &["figures", "trade", "list"]),
+        ] {
+            let (said, code) = answer(words).unwrap();
+            assert_eq!(code, 2, "{words}: {said}");
+            for part in parts {
+                assert!(said.contains(part), "{words}: {part} is not in {said}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_right_is_understood() {
+        for words in [
+            "figures",
+            "figures shadows hsr/back-face --format png,svg,png --size 640x360 --theme dark --lang it",
+            "figures --light -3,20,5,0 --plane -1,0.3,0,30 --mesh torus --background transparent",
+            "figures --docs",
+            "trade planar-precision --quick --lang hr",
+            "list --lang cs",
+        ] {
+            assert_eq!(answer(words), None, "{words}");
+        }
+        for words in ["--help", "figures -h", "--version"] {
+            assert_eq!(answer(words).unwrap().1, 0, "{words}");
+        }
+    }
 }

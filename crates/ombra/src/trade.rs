@@ -3,49 +3,49 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use ombra_figures::style::{Format, Language, Size, Style, Theme};
 use ombra_trade::error::TradeError;
 use ombra_trade::run::run as run_study;
-use ombra_trade::select;
 use ombra_trade::study::Effort;
+use ombra_trade::{select, studies};
 
-use crate::figures::{formats, named, progress};
+use crate::figures::{each_once, named, one_of, progress, size};
 
 /// What `ombra trade` takes.
 #[derive(Args)]
 pub struct Options {
     /// Studies; all if none is named
+    #[arg(value_parser = PossibleValuesParser::new(studies().iter().map(|study| study.id)), hide_possible_values = true)]
     study: Vec<String>,
     /// Few inputs and rounds: seconds instead of minutes
     #[arg(long)]
     quick: bool,
-    /// Formats of the charts, separated by commas: svg, png
-    #[arg(long, default_value = "svg,png")]
-    format: String,
-    /// Size of the charts in pixels, WIDTHxHEIGHT
-    #[arg(long, default_value = "1920x1080")]
-    size: String,
-    /// Theme of the charts: light or dark
-    #[arg(long, default_value = "light")]
-    theme: String,
-    /// Language of the charts' figures: en, it, cs, hr
-    #[arg(long, default_value = "en")]
-    lang: String,
+    /// Formats of the charts, separated by commas
+    #[arg(long, default_value = "svg,png", value_delimiter = ',', value_parser = one_of(Format::ALL, Format::word))]
+    format: Vec<Format>,
+    /// Size of the charts in pixels
+    #[arg(long, default_value_t = Size::FULL_HD, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    size: Size,
+    /// Theme of the charts
+    #[arg(long, default_value_t = Theme::Light, value_parser = one_of(Theme::ALL, Theme::word))]
+    theme: Theme,
+    /// Language of the charts' figures
+    #[arg(long, default_value_t = Language::En, value_parser = one_of(Language::ALL, Language::word))]
+    lang: Language,
     /// Folder to write into, a folder a study
     #[arg(long, default_value = "target/trade", value_name = "DIR")]
     out: PathBuf,
 }
 
 pub fn run(options: &Options) -> Result<(), String> {
-    let sentence = |error: ombra_figures::error::FigureError| error.to_string();
     let style = Style {
-        size: options.size.parse::<Size>().map_err(sentence)?,
-        theme: options.theme.parse::<Theme>().map_err(sentence)?,
-        language: options.lang.parse::<Language>().map_err(sentence)?,
+        size: options.size,
+        theme: options.theme,
+        language: options.lang,
         ..Style::default()
     };
-    let formats = formats(&options.format).map_err(sentence)?;
-    measure(options, &style, &formats).map_err(|error| match &error {
+    measure(options, &style, &each_once(&options.format)).map_err(|error| match &error {
         TradeError::Figure(error) => named(&options.out, error),
         _ => error.to_string(),
     })
