@@ -90,5 +90,6 @@ pub mod style;
 pub mod svg;
 pub mod table;
 pub mod text;
+mod whole;
 pub mod words;
 pub mod write;

@@ -1,16 +1,12 @@
-//! Files written whole or not at all: into temporary files beside their goals, then renamed.
+//! Figures as files, written whole or not at all.
 
-use std::ffi::OsString;
-use std::fs;
-use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use std::process;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::error::FigureError;
 use crate::figure::{Figure, Inputs};
 use crate::gallery::gallery;
 use crate::style::{Format, Style};
+use crate::whole::{self, Refused};
 use crate::{png, svg};
 
 /// Writes `bytes` to `path`; folders on the way are made.
@@ -29,67 +25,10 @@ pub fn whole(path: &Path, bytes: &[u8]) -> Result<(), FigureError> {
 /// [`FigureError::Write`]; what was at the paths before is then unchanged, unless the system refuses to rename a file
 /// that it has just let be written beside its goal.
 pub fn together(files: &[(&Path, &[u8])]) -> Result<(), FigureError> {
-    let mut written: Vec<Temporary> = Vec::with_capacity(files.len());
-    for &(goal, bytes) in files {
-        written.push(Temporary::write(goal, bytes)?);
-    }
-    written.iter().try_for_each(Temporary::rename)
-}
-
-/// A file beside its goal; removed unless it has taken the goal's name.
-struct Temporary<'a> {
-    goal: &'a Path,
-    path: PathBuf,
-}
-
-impl<'a> Temporary<'a> {
-    fn write(goal: &'a Path, bytes: &[u8]) -> Result<Temporary<'a>, FigureError> {
-        static COUNT: AtomicU64 = AtomicU64::new(0);
-        let wrong = |error| refused(goal, error);
-        let folder = goal
-            .parent()
-            .filter(|folder| !folder.as_os_str().is_empty())
-            .unwrap_or(Path::new("."));
-        fs::create_dir_all(folder).map_err(|error| refused(folder, error))?;
-        let name = goal
-            .file_name()
-            .ok_or_else(|| wrong(io::ErrorKind::InvalidInput.into()))?;
-        // A folder in the goal's place is what a rename would trip over.
-        if goal.is_dir() {
-            return Err(wrong(io::ErrorKind::IsADirectory.into()));
-        }
-        // No two writers share a temporary file: the process and a count name it.
-        let mut own = OsString::from(".");
-        own.push(name);
-        own.push(format!(
-            ".{}-{}",
-            process::id(),
-            COUNT.fetch_add(1, Ordering::Relaxed)
-        ));
-        let path = folder.join(own);
-        let mut file = fs::File::create_new(&path).map_err(wrong)?;
-        let temporary = Temporary { goal, path };
-        let written = file.write_all(bytes).and_then(|()| file.sync_all());
-        written.map_err(wrong).map(|()| temporary)
-    }
-
-    fn rename(&self) -> Result<(), FigureError> {
-        fs::rename(&self.path, self.goal).map_err(|error| refused(self.goal, error))
-    }
-}
-
-impl Drop for Temporary<'_> {
-    fn drop(&mut self) {
-        // Nothing is there any more once it is renamed.
-        let _ = fs::remove_file(&self.path);
-    }
-}
-
-fn refused(path: &Path, error: io::Error) -> FigureError {
-    FigureError::Write {
+    whole::together(files).map_err(|Refused { path, error }| FigureError::Write {
         path: path.display().to_string(),
         reason: error.to_string(),
-    }
+    })
 }
 
 /// Draws `figure` and writes it below `folder` in every format, `shadows/cube-infinity.svg`.
@@ -140,6 +79,8 @@ pub fn index(
 
 #[cfg(test)]
 mod tests {
+    use std::{fs, process};
+
     use super::*;
 
     struct Folder(PathBuf);

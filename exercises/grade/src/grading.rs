@@ -9,7 +9,7 @@ use crate::crate_dir::{self, Scratch};
 use crate::exercise_file::{MARKER, split, test_names};
 use crate::report::{ExerciseResult, Report, Status, Test, Verdict};
 use crate::set::{Exercise, Set, read_text};
-use crate::{libtest, run, whole_file};
+use crate::{libtest, run, whole};
 
 /// An answer longer than this is no answer to an exercise.
 const LARGEST_FILE: u64 = 1 << 20;
@@ -66,12 +66,12 @@ pub fn grade(set: &Set, student_dir: &Path, out: &Path, limit: Duration) -> Resu
         time_limit: limit,
         results,
     };
-    fs::create_dir_all(&out)
-        .map_err(|error| format!("cannot make the folder {}: {error}", out.display()))?;
-    whole_file::write_all(&[
-        (out.join("junit.xml"), report.junit()),
-        (out.join("summary.json"), report.json()),
-    ])?;
+    let (junit, summary) = (report.junit(), report.json());
+    whole::together(&[
+        (&out.join("junit.xml"), junit.as_bytes()),
+        (&out.join("summary.json"), summary.as_bytes()),
+    ])
+    .map_err(|refused| refused.to_string())?;
     print!("{}", report.table());
     Ok(())
 }
