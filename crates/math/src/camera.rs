@@ -53,6 +53,10 @@ pub struct SightLine {
 
 impl SightLine {
     /// The point at parameter `t`.
+    ///
+    /// # Properties
+    ///
+    /// - Error: at most ε (|origin| + |t direction|) in each coordinate.
     #[must_use]
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + t * self.direction
@@ -61,6 +65,10 @@ impl SightLine {
 
 impl Camera {
     /// A point of the world in clip coordinates, before the division by w.
+    ///
+    /// # Properties
+    ///
+    /// - Error: at most 3 ε Σ|mᵢⱼ pⱼ| in coordinate i.
     #[must_use]
     pub fn to_clip(&self, p_world: DVec3) -> DVec4 {
         self.view_projection * p_world.extend(1.0)
@@ -69,6 +77,10 @@ impl Camera {
     /// Where a point of the world comes out: pixel coordinates and depth 0 … 1, or `None` behind the eye.
     ///
     /// Points outside the view volume come out outside the picture or the range of depth.
+    ///
+    /// # Properties
+    ///
+    /// - Error: at most 3 ε K (1 + |ndc|) of width, height and 1, K = max Σ|mᵢⱼ pⱼ| / w.
     #[must_use]
     pub fn to_pixel(&self, p_world: DVec3) -> Option<DVec3> {
         let p_clip = self.to_clip(p_world);
@@ -88,6 +100,8 @@ impl Camera {
     ///
     /// It lies on the viewer's side of the near plane. w is exactly 0 for a matrix whose last row is 0 0 0 1. A multiple
     /// of the matrix has the same eye, however large or small it is.
+    ///
+    /// - Error: at most 4 ε (Pᵢ + |Eᵢ| P_w) / |W|, P the absolute terms of E W and of W.
     ///
     /// # Errors
     ///
@@ -111,6 +125,10 @@ impl Camera {
     /// the points on two planes:   x = x_ndc w   and   y = y_ndc w
     /// x_ndc = 2 x_pixel / width − 1      y_ndc = 1 − 2 y_pixel / height
     /// ```
+    ///
+    /// # Properties
+    ///
+    /// - Error: at most 8 ε (Pᵢ + |Oᵢ| P_w) / |W| in the origin O, 8 ε P_d / |D| in the direction.
     ///
     /// # Pitfalls
     ///

@@ -49,6 +49,10 @@ pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 impl DoubleDouble {
     /// a + b without error.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none.
     #[inline]
     #[must_use]
     pub fn sum(a: f64, b: f64) -> Self {
@@ -59,6 +63,10 @@ impl DoubleDouble {
     }
 
     /// a · b without error.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none, for factors in range.
     #[inline]
     #[must_use]
     pub fn product(a: f64, b: f64) -> Self {
@@ -70,6 +78,10 @@ impl DoubleDouble {
     }
 
     /// This value times the double `a`.
+    ///
+    /// # Properties
+    ///
+    /// - Error: at most ε² |value|.
     #[inline]
     #[must_use]
     pub fn times(self, a: f64) -> Self {
@@ -78,6 +90,10 @@ impl DoubleDouble {
     }
 
     /// This value divided by `divisor`.
+    ///
+    /// # Properties
+    ///
+    /// - Error: at most 4 ε² |value|.
     #[inline]
     #[must_use]
     pub fn over(self, divisor: Self) -> Self {
@@ -87,6 +103,10 @@ impl DoubleDouble {
     }
 
     /// The square root of this value, 0 where it is not positive.
+    ///
+    /// # Properties
+    ///
+    /// - Error: at most 2 ε² |value|.
     #[inline]
     #[must_use]
     pub fn sqrt(self) -> Self {

@@ -148,6 +148,10 @@ impl Sum {
     }
 
     /// The double nearest to the sum, ties to even; ±∞ beyond the largest double, NaN if a factor was not finite.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none: the nearest double.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         if self.undefined {
@@ -162,6 +166,10 @@ impl Sum {
     /// The sum as f · 2ᵉ with 1 ≤ |f| < 2 or f = 0, so that sums too large or small for a double keep their digits.
     ///
     /// f is the nearest such double; NaN if a factor was not finite.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none: f is the nearest double.
     #[must_use]
     pub fn to_scaled(&self) -> (f64, i32) {
         if self.undefined {
@@ -183,6 +191,10 @@ impl Sum {
     ///
     /// Zero over anything but zero is 0; a quotient beyond the largest double is ±∞; by zero, or with a factor
     /// that was not finite, it is NaN.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none: the nearest double.
     #[must_use]
     pub fn quotient(&self, denominator: &Sum) -> f64 {
         if self.undefined || denominator.undefined {
@@ -248,6 +260,8 @@ impl Sub for Sum {
 ///
 /// # Properties
 ///
+/// - Error: at most ε |value|, the sign exact.
+///
 /// f = 0 exactly where a·b = 0; (NaN, 0) if a coordinate is not finite. Ordinary coordinates take some 30 ns and
 /// e = 0; only a value of 0, cancellation beyond 2⁻³⁸ and extreme exponents go to the exact sum.
 ///
@@ -280,6 +294,8 @@ pub fn dot(a: DVec4, b: DVec4) -> (f64, i32) {
 ///
 /// Every sign is kept: what is too small beside the largest becomes the smallest double of its sign, and only 0
 /// becomes 0. NaN stays NaN. Any exponents are taken, from `i32::MIN` to `i32::MAX`.
+///
+/// - Error: none: exact, or below the smallest normal double the nearest, which is not 0.
 ///
 /// # Examples
 ///

@@ -15,6 +15,10 @@ use crate::exact::dot;
 /// (x, y, z)  →  (x, y, z, 1)
 /// ```
 ///
+/// # Properties
+///
+/// - Error: none.
+///
 /// # Examples
 ///
 /// ```
@@ -39,6 +43,10 @@ pub const fn point(p: DVec3) -> DVec4 {
 /// ```text
 /// (x, y, z)  →  (x, y, z, 0)
 /// ```
+///
+/// # Properties
+///
+/// - Error: none.
 ///
 /// # Pitfalls
 ///
@@ -73,6 +81,8 @@ pub const fn direction(d: DVec3) -> DVec4 {
 ///
 /// `p` and any multiple of it, negative ones included, stand for the same place. Each coordinate is the double
 /// nearest to its quotient.
+///
+/// - Error: none: the nearest double in each coordinate.
 ///
 /// # Pitfalls
 ///
@@ -111,6 +121,8 @@ pub fn project(p: DVec4) -> Option<DVec3> {
 ///
 /// The relative error is at most ε and the sign exact, unless the value is below the smallest double (then 0) or
 /// beyond the largest (then ±∞). NaN if a coordinate is not finite.
+///
+/// - Error: at most ε |value|, the sign exact; subnormal values half the smallest double more.
 ///
 /// # Pitfalls
 ///

@@ -140,6 +140,10 @@ impl Mesh {
     }
 
     /// The corners of triangle `i`, or `None` if there is no such triangle or one of its vertices is missing.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none.
     #[must_use]
     pub fn triangle(&self, i: usize) -> Option<[DVec3; 3]> {
         let &[a, b, c] = self.triangles.get(i)?;
@@ -148,6 +152,10 @@ impl Mesh {
     }
 
     /// The lowest and the highest of each coordinate, or `None` without positions. NaN is passed over.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none.
     #[must_use]
     pub fn bounds(&self) -> Option<[DVec3; 2]> {
         let &first = self.positions.first()?;

@@ -68,6 +68,8 @@ impl Plane {
     ///
     /// d is the double nearest to −n·Q, also where its three products cancel.
     ///
+    /// - Error: none: d is the nearest double.
+    ///
     /// # Examples
     ///
     /// ```
@@ -108,6 +110,8 @@ impl Plane {
     ///
     /// Whether the points are collinear is decided exactly, and each coordinate of n is the nearest double. Where
     /// n or d would leave the range of doubles, the plane is scaled by a power of two.
+    ///
+    /// - Error: none: each is the nearest double, times a power of two common to all.
     ///
     /// # Examples
     ///
@@ -168,6 +172,8 @@ impl Plane {
     /// The sign is right for finite input, and the relative error at most 4ε, also where n·p and d cancel and for
     /// normals of any length. A subnormal distance is within its last place, one below the smallest double is 0 (see
     /// [`Plane::side`]), one beyond the largest ±∞. NaN if a coordinate of `p` or of the plane is not finite or the normal is zero.
+    ///
+    /// - Error: at most 4 ε |value|, the sign exact; subnormal values their last place.
     ///
     /// # Pitfalls
     ///
@@ -238,6 +244,8 @@ impl Plane {
     /// What a shadow polygon needs so that it does not fight with its receiver for the same depth: cast it onto the
     /// receiver's plane moved by the bias towards the light.
     ///
+    /// - Error: at most 3 ε |distance| ‖n‖ + ½ ε |d'| in d'.
+    ///
     /// # Examples
     ///
     /// ```
@@ -262,6 +270,10 @@ impl Plane {
     }
 
     /// The same plane with its front on the other side.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none.
     #[must_use]
     pub fn turned(&self) -> Self {
         Self {
@@ -271,6 +283,10 @@ impl Plane {
     }
 
     /// The plane as a 4-vector π = (a, b, c, d), so that π·P = 0 for homogeneous points P of the plane.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none.
     ///
     /// # Examples
     ///

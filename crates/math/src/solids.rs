@@ -108,6 +108,8 @@ impl core::error::Error for SolidError {}
 /// Vertices in the deck's order, four below and four above. Each side is cut in two so that at (0, 20, 0) two triangles
 /// of the lower side meet, two of the one at z = 0 and one of the one at x = 0.
 ///
+/// - Error: none.
+///
 /// # Examples
 ///
 /// ```
@@ -128,6 +130,10 @@ pub fn slide_cube() -> Mesh {
 }
 
 /// The box from `min` to `max`, its vertices in the order of [`slide_cube`].
+///
+/// # Properties
+///
+/// - Error: none: corners of the bounds.
 ///
 /// # Errors
 ///
@@ -191,6 +197,8 @@ fn block(min: DVec3, max: DVec3) -> Mesh {
 /// Its corners are four of a cube's, (±1, ±1, ±1)/√3 with an even number of minus signs: all six edges come out
 /// equally long to the last bit.
 ///
+/// - Error: at most ε in each coordinate.
+///
 /// # Examples
 ///
 /// ```
@@ -223,9 +231,11 @@ pub fn tetrahedron() -> Mesh {
 ///
 /// # Properties
 ///
-/// Vertices within 4 ε·r of the sphere; each pole is one vertex; no triangle is degenerate; closed. 2·slices·(stacks − 1)
+/// Each pole is one vertex; no triangle is degenerate; closed. 2·slices·(stacks − 1)
 /// triangles. The mesh is inscribed, so its volume is smaller than the ball's by a share that falls with
 /// the square of the parts.
+///
+/// - Error: at most 4 ε r from the sphere, for each vertex.
 ///
 /// # Errors
 ///
@@ -271,7 +281,9 @@ pub fn sphere(radius: f64, slices: u32, stacks: u32) -> Result<Mesh, SolidError>
 ///
 /// # Properties
 ///
-/// Closed, of genus 1, 2·around·across triangles, none degenerate; vertices within 4 ε·(R + r) of the surface.
+/// Closed, of genus 1, 2·around·across triangles, none degenerate.
+///
+/// - Error: at most 4 ε (R + r) from the surface, for each vertex.
 ///
 /// # Errors
 ///

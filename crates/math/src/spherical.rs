@@ -67,6 +67,8 @@ impl Spherical {
     /// x = y = +0 it is 0; the origin has r = θ = φ = 0. Signs of zero count as they do for `atan2`:
     /// (−1, −0, 0) has φ = −π.
     ///
+    /// - Error: at most 2 ε of itself for r, θ and φ; subnormal ones their last place.
+    ///
     /// # Pitfalls
     ///
     /// r is ∞ where the distance is beyond the largest double; the angles are right even there. A point
@@ -94,7 +96,9 @@ impl Spherical {
     ///
     /// # Properties
     ///
-    /// Each coordinate within 4 ε·r. Any θ and φ are taken, a negative r is the opposite point.
+    /// Any θ and φ are taken, a negative r is the opposite point.
+    ///
+    /// - Error: at most 4 ε r in each coordinate.
     ///
     /// # Pitfalls
     ///

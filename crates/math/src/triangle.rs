@@ -18,8 +18,10 @@ use glam::DVec3;
 ///
 /// # Properties
 ///
-/// Each component is within 2⁻⁴¹ of itself, and so has the exact sign, 0 only where it is 0. The normal of a
+/// Each component has the exact sign and is 0 only where it is 0. The normal of a
 /// degenerate triangle is zero. Which corner comes first does not matter; exchanging two turns it over.
+///
+/// - Error: at most 2⁻⁴¹ |component| in each.
 ///
 /// # Pitfalls
 ///
@@ -59,8 +61,10 @@ pub fn normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
 ///
 /// # Properties
 ///
-/// Within 2⁻⁴⁰ of itself wherever a double holds it, needles and corners at 10³⁰⁰ included; 0 exactly for a
+/// Right wherever a double holds it, needles and corners at 10³⁰⁰ included; 0 exactly for a
 /// degenerate triangle (the nearest subnormal, perhaps 0, below 10⁻³⁰⁸). NaN for a corner that is not finite.
+///
+/// - Error: at most 2⁻⁴⁰ |value|; subnormal values half the smallest double more.
 ///
 /// # Examples
 ///
@@ -92,8 +96,10 @@ pub fn area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 /// # Properties
 ///
 /// α + β + γ = 1 but for rounding. All three are ≥ 0 inside and on the border; on the line of a side, the
-/// coordinate of the corner opposite is 0, and at a corner the coordinates are 1, 0, 0 exactly. Each is within
-/// 2⁻³⁹·|w|/|n| of the exact one, w its own vector product; scaling all four points changes nothing.
+/// coordinate of the corner opposite is 0, and at a corner the coordinates are 1, 0, 0 exactly. Scaling all four points
+/// changes nothing.
+///
+/// - Error: at most 2⁻³⁹ |w| / |n| in each, w its own vector product.
 ///
 /// # Pitfalls
 ///
@@ -145,6 +151,8 @@ pub fn barycentric(p: DVec3, a: DVec3, b: DVec3, c: DVec3) -> Option<DVec3> {
 /// # Properties
 ///
 /// The lengths of the given normals do not matter, nor does their order.
+///
+/// - Error: at most 4 ε (1 + 3 / |N|).
 ///
 /// # Pitfalls
 ///

@@ -35,9 +35,9 @@ use error::{finite, whole};
 /// # Properties
 ///
 /// The eye goes to the origin, the target to (0, 0, −distance), up into the half-plane x = 0, y > 0. The three
-/// axes are unit and at right angles within 8 ε, and point where the exact ones do within 8 ε, even where `up` is
-/// within rounding of the direction of view; the last column is the exact product of those axes with the
-/// eye, rounded once.
+/// axes are unit and at right angles, also where `up` is within rounding of the direction of view.
+///
+/// - Error: at most 8 ε in each axis; the last column is the nearest double for these axes.
 ///
 /// # Pitfalls
 ///
@@ -130,8 +130,11 @@ pub struct Viewport {
 impl Viewport {
     /// The point of the picture for normalised device coordinates, with its depth.
     ///
-    /// Total: points outside the cube land outside the picture, NaN gives NaN. Within 2 ε of width, height
-    /// and 1 for points inside.
+    /// Total: points outside the cube land outside the picture, NaN gives NaN.
+    ///
+    /// # Properties
+    ///
+    /// - Error: at most 2 ε of width, height and 1 for points inside.
     #[must_use]
     pub fn to_pixel(&self, ndc: DVec3) -> DVec3 {
         DVec3::new(

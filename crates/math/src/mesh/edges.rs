@@ -168,21 +168,21 @@ impl Mesh {
     }
 
     /// Calls `visit(low, side)` for the sides of all triangles.
-    fn for_each_side(&self, mut visit: impl FnMut(usize, Side)) {
+    fn for_each_side(&self, mut visit: impl FnMut(usize, HalfEdge)) {
         for (t, corners) in (0u32..).zip(self.used_triangles()) {
             let Some([a, b, c]) = corners else { continue };
             for (p, q) in [(a, b), (b, c), (c, a)] {
                 if p < q {
-                    visit(p as usize, Side::new(q, t, false));
+                    visit(p as usize, HalfEdge::new(q, t, false));
                 } else if p > q {
-                    visit(q as usize, Side::new(p, t, true));
+                    visit(q as usize, HalfEdge::new(p, t, true));
                 }
             }
         }
     }
 
     /// First half of the sort: the sides grouped by their lower vertex, and where each vertex's group ends.
-    fn sides_by_lower_vertex(&self) -> (Vec<usize>, Vec<Side>) {
+    fn sides_by_lower_vertex(&self) -> (Vec<usize>, Vec<HalfEdge>) {
         let mut ends = vec![0usize; self.positions.len()];
         self.for_each_side(|low, _| ends[low] += 1);
         // Counts become starts; filling moves each start to the group's end.
@@ -190,7 +190,7 @@ impl Mesh {
         for end in &mut ends {
             total += core::mem::replace(end, total);
         }
-        let mut sides = vec![Side(0); total];
+        let mut sides = vec![HalfEdge(0); total];
         self.for_each_side(|low, side| {
             sides[ends[low]] = side;
             ends[low] += 1;
@@ -201,9 +201,9 @@ impl Mesh {
 
 /// A triangle's side, seen from its lower vertex: the higher vertex, the triangle, and whether it runs down.
 #[derive(Clone, Copy)]
-struct Side(u64);
+struct HalfEdge(u64);
 
-impl Side {
+impl HalfEdge {
     fn new(to: u32, triangle: u32, down: bool) -> Self {
         Self(u64::from(to) << 32 | u64::from(triangle) << 1 | u64::from(down))
     }
@@ -222,12 +222,12 @@ impl Side {
 }
 
 /// Second half of the sort: one vertex's sides by their higher vertex, keeping the order of triangles.
-fn sort_by_higher_vertex(sides: &mut [Side], spare: &mut Vec<Side>) {
+fn sort_by_higher_vertex(sides: &mut [HalfEdge], spare: &mut Vec<HalfEdge>) {
     // So few are sooner placed by their rank: no branch to mispredict, and bounded by this number a side. No two
     // are equal, as no triangle runs along two vertices twice the same way.
     const FEW: usize = 16;
     if sides.len() <= FEW {
-        let mut sorted = [Side(0); FEW];
+        let mut sorted = [HalfEdge(0); FEW];
         for side in &*sides {
             let rank: usize = sides
                 .iter()
@@ -240,7 +240,7 @@ fn sort_by_higher_vertex(sides: &mut [Side], spare: &mut Vec<Side>) {
     }
     // Counting sort by each byte of the higher vertex, the lowest first; the order of triangles is there already.
     for shift in [32, 40, 48, 56] {
-        let byte = |side: Side| (side.0 >> shift) as usize & 0xff;
+        let byte = |side: HalfEdge| (side.0 >> shift) as usize & 0xff;
         let mut starts = [0usize; 256];
         for &side in &*sides {
             starts[byte(side)] += 1;
@@ -262,7 +262,7 @@ fn sort_by_higher_vertex(sides: &mut [Side], spare: &mut Vec<Side>) {
 }
 
 /// Adds the records of one vertex pair: the first triangle up with the first down, the second with the second, …
-fn pair_up(from: u32, group: &[Side], edges: &mut Vec<Edge>, work: &mut impl Count) {
+fn pair_up(from: u32, group: &[HalfEdge], edges: &mut Vec<Edge>, work: &mut impl Count) {
     work.add(Counter::EdgeRecords, group.len() as u64);
     let Some(to) = group.first().map(|side| side.to()) else {
         return;

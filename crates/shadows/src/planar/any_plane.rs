@@ -97,6 +97,8 @@ pub fn cast_plain(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) -
 /// that of the direction D, with an error proportional to w. As it sinks to the plane, s → 0, the shadow runs away
 /// like 1/s.
 ///
+/// - Error: none: the nearest double in each coordinate.
+///
 /// # Pitfalls
 ///
 /// A light's direction points towards the light. The printed answer of the point-light example is that of a light
@@ -157,10 +159,10 @@ pub mod counted {
 ///   vertices on the light's side of the plane, and clipping keeps them: clip away n·V + d < 0 (on the light's side:
 ///   positive) and w ≤ 0, and no false shadow is left.
 /// - M L = 0, and M V = s V for V on the plane.
-/// - The diagonal is summed without the term that cancels. Each entry is within 2ε of its terms, or
-///   in a scaled matrix within the last place of a subnormal.
+/// - The diagonal is summed without the term that cancels.
 /// - A matrix with an entry that would overflow, or underflow and lose digits, is scaled by a power of two (as a
 ///   homogeneous matrix it is the same).
+/// - Error: at most 2 ε of the sum of an entry's |terms|; scaled, the last place of a subnormal.
 ///
 /// # Pitfalls
 ///

@@ -25,6 +25,8 @@ use super::error::{PlanarShadowError, check_light};
 /// w stays 1: no division is needed, and none tells a false shadow from a true one. t = V_y / L_y is negative for a
 /// vertex behind the ground.
 ///
+/// - Error: none: each entry is the nearest double.
+///
 /// # Pitfalls
 ///
 /// A slide's worked answer ends in a row of zeros; the last row of the shadows is w = 1.

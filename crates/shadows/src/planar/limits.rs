@@ -114,8 +114,9 @@ pub fn classify(plane: Plane, light: DVec4, v: DVec3) -> Option<Placement> {
 /// - No false shadow: what is behind the plane or beyond the light is cut off before it is cast.
 /// - w = 1 for places. w = 0 for directions: there the shadow runs to infinity, and two such points in a row are the
 ///   two sides of an unbounded shadow. 0 < w < 1 only for places whose coordinates no double holds.
-/// - Each kept vertex casts as by [`cast`](super::cast()). Crossings are within 4ε of their edge's larger end.
+/// - Each kept vertex casts as by [`cast`](super::cast()).
 /// - Empty for fewer than three vertices, a polygon that only touches, a light along the plane, input not finite.
+/// - Error: kept vertices none; crossings at most 4 ε of their edge's larger end.
 ///
 /// # Pitfalls
 ///
@@ -197,6 +198,8 @@ pub fn cast_polygon(plane: Plane, light: DVec4, polygon: &[DVec3]) -> Vec<DVec4>
 /// Lights do not change each other's shadows: each is that of [`cast_polygon`]. What two shadows have in common
 /// lacks the light of both.
 ///
+/// - Error: that of `cast_polygon`.
+///
 /// # Examples
 ///
 /// ```
@@ -235,6 +238,8 @@ pub fn cast_polygon_each(plane: Plane, lights: &[DVec4], polygon: &[DVec3]) -> V
 /// Infinite parts of the shadow are clipped like any others, before the division by w. Results lie inside the
 /// receiver to within 2ε of the largest coordinate of the *unclipped* shadow: one that is 10⁶ times as large as the
 /// receiver costs six digits. Empty if the receiver has no area, or the receiver or the light is not finite.
+///
+/// - Error: at most 2 ε of the largest coordinate of the unclipped shadow.
 ///
 /// # Pitfalls
 ///

@@ -26,6 +26,8 @@ use super::error::{PlanarShadowError, check_light};
 ///
 /// w = L_y − V_y: positive for a vertex below the light, whose shadow is true if it is also above the ground.
 ///
+/// - Error: none.
+///
 /// # Pitfalls
 ///
 /// With a light below the ground (L_y < 0) the signs turn over: w is negative for the true shadows of what hangs

@@ -20,14 +20,11 @@ use super::any_plane::towards_place;
 ///
 /// # Properties
 ///
-/// The nearest double where products and sums are exact, as for the lectures' integers. In general the error of P_j is up to
+/// The nearest double where products and sums are exact, as for the lectures' integers. The error is large where s, t or
+/// s − L_w t cancel: use [`cast`](super::cast()) there. Decisions are made on the rounded s, t and s − L_w t. With
+/// S = Σ|π_i L_i| and T = Σ|n_i V_i| + |d| it is in P_j
 ///
-/// ```text
-/// 3ε (S |V_j| + T |L_j| + (S + T |L_w|) |P_j|) / |s − L_w t| + ½ ε |P_j|        S = Σ|π_i L_i|,  T = Σ|n_i V_i| + |d|
-/// ```
-///
-/// which is large where s, t or s − L_w t cancel: use [`cast`](super::cast()) there. Decisions are made on the
-/// rounded s, t and s − L_w t.
+/// - Error: at most 3 ε (S |V_j| + T |L_j| + (S + T |L_w|) |P_j|) / |s − L_w t| + ½ ε |P_j|.
 ///
 /// # Examples
 ///
@@ -72,7 +69,11 @@ pub fn by_quotient(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) 
 /// # Properties
 ///
 /// k is rounded before it is used, so the result is not the nearest double even for the lectures' integers: for the
-/// slides' cube it is within 2ε |P|, which is up to 3 last places. `None` also where L/L_w is beyond the largest double. The error grows with the light's distance, ε |k (V − L)|: far lights lose the most.
+/// slides' cube it is within 2ε |P|, which is up to 3 last places. `None` also where L/L_w is beyond the largest double.
+/// The error grows with the light's distance, ε |k (V − L)|: far lights lose the most. With k = n/d along the ray R from
+/// the point A (V − L from L, or L from V), N and D the sums of the absolute terms of n and d, it is in P_j
+///
+/// - Error: at most 4 ε ((N + |k| D) |R_j| / |d| + |k| |A_j| + |A_j| + |P_j|).
 ///
 /// # Examples
 ///
@@ -176,6 +177,100 @@ mod tests {
                 prop_assert!(shadow.is_none_or(|p| p.is_finite()));
             }
         }
+    }
+
+    /// Both stated bounds, in rationals, with cancellation and without; the worst shares are printed.
+    #[test]
+    fn errors_stay_within_the_bounds() {
+        use num_rational::BigRational as Q;
+        let q = |x: f64| Q::from_float(x).unwrap();
+        let abs = |x: Q| if x < q(0.0) { -x } else { x };
+        let mut seed = 1u64;
+        let mut unit = move || {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        let (mut compared, mut worst) = (0, [0.0f64; 2]);
+        while compared < 60 {
+            let mut vector = || DVec3::new(unit(), unit(), unit());
+            let (mut v, normal, l) = (vector(), vector(), vector() * 9.0);
+            let mut plane = Plane { normal, d: unit() };
+            let mut light = l.extend(if compared % 2 == 0 { 0.0 } else { 1.0 + unit() });
+            match compared % 5 {
+                // A vertex almost on the plane, a light almost along it, both far from the origin.
+                0 => plane.d = -normal.dot(v) * (1.0 + 1e-9 * unit()),
+                1 if light.w != 0.0 => plane.d = -normal.dot(l) / light.w * (1.0 + 1e-9 * unit()),
+                2 => {
+                    let far = DVec3::splat(1e6);
+                    v += far;
+                    plane.d -= normal.dot(far);
+                    light += (far * light.w).extend(0.0);
+                }
+                _ => {}
+            }
+            let found = FORMS.map(|form| form(plane, light, v));
+            let (Some(exact), [Some(by_quotient), Some(by_parameter)]) =
+                (cast(plane, light, v), found)
+            else {
+                continue;
+            };
+            compared += 1;
+            let light = towards_place(light);
+            let pi = plane.coefficients();
+            let products = |p: DVec4| [0, 1, 2, 3].map(|i| q(pi[i]) * q(p[i]));
+            let total = |x: [Q; 4]| x.into_iter().fold(q(0.0), |a, b| a + b);
+            let (at_light, at_vertex) = (products(light), products(v.extend(1.0)));
+            let (big_s, big_t) = (
+                total(at_light.clone().map(abs)),
+                total(at_vertex.clone().map(abs)),
+            );
+            let (s, t) = (total(at_light), total(at_vertex));
+            let w = &s - q(light.w) * &t;
+            let big_w = &big_s + q(light.w) * &big_t;
+            let eps = q(f64::EPSILON);
+            for j in 0..3 {
+                let (vj, lj) = (q(v[j]), q(light[j]));
+                let right = (&s * &vj - &t * &lj) / &w;
+                let size = abs(right.clone());
+                let first = q(3.0)
+                    * (&big_s * abs(vj.clone()) + &big_t * abs(lj.clone()) + &big_w * &size)
+                    / abs(w.clone())
+                    + q(0.5) * &size;
+                let (n, d, big_n, big_d, ray, start) = if light.w == 0.0 {
+                    (&t, &s, &big_t, &big_s, lj, vj)
+                } else {
+                    let place = lj / q(light.w);
+                    (&s, &w, &big_s, &big_w, vj - &place, place)
+                };
+                let (k, d, start) = (abs(n / d), abs(d.clone()), abs(start));
+                let second =
+                    q(4.0) * ((big_n + &k * big_d) * abs(ray) / d + &k * &start + start + &size);
+                for (form, (p, bound)) in [(by_quotient, first), (by_parameter, second)]
+                    .into_iter()
+                    .enumerate()
+                {
+                    let off = abs(q(p[j]) - &right);
+                    // First-order bounds: a thousandth for the products of two roundings.
+                    let share = off / (&bound * &eps * q(1.001));
+                    assert!(
+                        share <= q(1.0),
+                        "form {form}, {plane:?} {light} {v}: {p} for {exact}"
+                    );
+                    let per_mille = (share * q(1000.0))
+                        .to_integer()
+                        .to_string()
+                        .parse::<f64>()
+                        .unwrap();
+                    worst[form] = worst[form].max(per_mille / 1000.0);
+                }
+            }
+        }
+        println!(
+            "by_quotient: {:.2} of the bound, by_parameter: {:.2}",
+            worst[0], worst[1]
+        );
     }
 
     #[test]

@@ -62,74 +62,13 @@ fn weights_are_what_they_say() {
 
 const ALL: [Weighting; 3] = [Weighting::Plain, Weighting::Area, Weighting::Angle];
 
+#[path = "../../../tests/rational/mod.rs"]
+mod rational;
+
 /// Normals with 300 bits, from the exact vector products.
 mod oracle {
+    use super::rational::{Q, angle, is_zero, power, q, root, to_f64, trim};
     use super::*;
-    use num_bigint::BigInt;
-    use num_rational::BigRational;
-
-    type Q = BigRational;
-
-    pub fn q(x: f64) -> Q {
-        Q::from_float(x).unwrap()
-    }
-
-    fn power(e: i32) -> Q {
-        Q::from_integer(BigInt::from(2)).pow(e)
-    }
-
-    fn is_zero(x: &Q) -> bool {
-        *x == q(0.0)
-    }
-
-    /// Binary exponent, to within one.
-    fn exponent(x: &Q) -> i32 {
-        x.numer().bits() as i32 - x.denom().bits() as i32
-    }
-
-    /// `x` with its first 300 bits, or fractions grow without end.
-    fn trim(x: Q) -> Q {
-        if is_zero(&x) {
-            return x;
-        }
-        let shift = 300 - exponent(&x);
-        Q::from_integer((x * power(shift)).to_integer()) * power(-shift)
-    }
-
-    fn root(x: &Q) -> Q {
-        if is_zero(x) {
-            return x.clone();
-        }
-        let half = 300 - exponent(x) / 2;
-        Q::from_integer((x * power(2 * half)).to_integer().sqrt()) * power(-half)
-    }
-
-    pub fn to_f64(x: &Q) -> f64 {
-        if is_zero(x) {
-            return 0.0;
-        }
-        let shift = 64 - exponent(x);
-        let integer: f64 = (x * power(shift)).to_integer().to_string().parse().unwrap();
-        libm::scalbn(integer, -shift)
-    }
-
-    /// The angle of (x, y), y ≥ 0, by halving it until the series of the arctangent is short.
-    fn angle(y: &Q, x: &Q) -> Q {
-        if *x < q(0.0) {
-            return angle(&q(1.0), &q(0.0)) * q(2.0) - angle(y, &-x);
-        }
-        let mut t = trim(y / (x + root(&(x * x + y * y))));
-        for _ in 0..5 {
-            t = trim(&t / (q(1.0) + root(&(q(1.0) + &t * &t))));
-        }
-        let square = trim(&t * &t);
-        let (mut sum, mut term) = (t.clone(), t);
-        for k in 1..40 {
-            term = -trim(term * &square);
-            sum += trim(&term / q(f64::from(2 * k + 1)));
-        }
-        trim(sum) * q(64.0)
-    }
 
     fn dot(u: &[Q; 3], v: &[Q; 3]) -> Q {
         u.iter().zip(v).map(|(x, y)| x * y).sum()
@@ -187,7 +126,7 @@ mod oracle {
 fn check(mesh: &Mesh, weighting: Weighting) -> f64 {
     let sums = oracle::sums(mesh, weighting);
     let found = mesh.vertex_normals(weighting)[0];
-    if sums.0.iter().all(|x| *x == oracle::q(0.0)) {
+    if sums.0.iter().all(|x| *x == rational::q(0.0)) {
         assert_eq!(found, DVec3::ZERO);
         return 0.0;
     }
