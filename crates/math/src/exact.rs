@@ -260,10 +260,10 @@ impl Sub for Sum {
 ///
 /// # Properties
 ///
-/// - Error: at most ε |value|, the sign exact.
-///
 /// f = 0 exactly where a·b = 0; (NaN, 0) if a coordinate is not finite. Ordinary coordinates take some 30 ns and
 /// e = 0; only a value of 0, cancellation beyond 2⁻³⁸ and extreme exponents go to the exact sum.
+///
+/// - Error: at most ε |value|, the sign exact.
 ///
 /// # Examples
 ///

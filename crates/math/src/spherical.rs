@@ -332,7 +332,7 @@ mod tests {
         pub fn cos(x: &BigInt) -> BigInt {
             let (mut sum, mut term) = (one(), one());
             for k in 1..80u32 {
-                term = -((term * x >> BITS) * x >> BITS) / (2 * k * (2 * k - 1));
+                term = -((((term * x) >> BITS) * x) >> BITS) / (2 * k * (2 * k - 1));
                 sum += &term;
             }
             sum

@@ -272,9 +272,9 @@ fn eyes_and_sight_lines() {
         };
         let (d, size) = (cross(&column, &line_row, false), cross(&c, &r, true));
         let length = root(&sum(d.iter().map(|x| x * x)));
-        for i in 0..3 {
+        for (i, d) in d.iter().enumerate() {
             let bound = eps(8.0) * sum(size.iter().cloned()) / &length;
-            along.see(line.direction[i].abs(), &abs(&d[i] / &length), &bound);
+            along.see(line.direction[i].abs(), &abs(d / &length), &bound);
         }
     }
     place.report("camera::Camera::eye, a place");

@@ -122,7 +122,7 @@ pub fn classify(plane: Plane, light: DVec4, v: DVec3) -> Option<Placement> {
 ///
 /// Clip to the view, or to the receiver with [`cast_onto`], before dividing by w. For a concave polygon that the
 /// plane or the light's height cuts into pieces, see
-/// [`clip_by`](ombra_clip::sutherland_hodgman::clip_by). A polygon seen edge-on from the light casts a line: its
+/// [`clip_by`]. A polygon seen edge-on from the light casts a line: its
 /// vertices come back, with no area between them.
 ///
 /// # Examples

@@ -31,7 +31,7 @@ use super::error::{PlanarShadowError, check_light};
 /// # Pitfalls
 ///
 /// With a light below the ground (L_y < 0) the signs turn over: w is negative for the true shadows of what hangs
-/// below. [`shadow_matrix`] turns the plane round instead.
+/// below. [`shadow_matrix`](super::shadow_matrix) turns the plane round instead.
 ///
 /// # Errors
 ///

@@ -8,7 +8,11 @@ use ombra_math::work::{Count, Counter};
 
 use super::{cast_plain, towards_place};
 
-/// The shadow of `v` on `plane`: [`cast`](super::cast), counting its work.
+/// The shadow of `v` on `plane`: [`cast`](super::cast()), counting its work.
+///
+/// # Properties
+///
+/// - Error: none: the nearest double in each coordinate.
 #[must_use]
 pub fn cast(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) -> Option<DVec3> {
     work.add(Counter::Vertices, 1);
