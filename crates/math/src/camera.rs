@@ -165,11 +165,12 @@ impl Camera {
 fn ordinary(plane: DVec4) -> DVec4 {
     const ORDINARY: RangeInclusive<f64> = 1e-60..=1e60;
     let size = plane.truncate().abs().max_element();
-    if ORDINARY.contains(&size) || size == 0.0 || !size.is_finite() {
+    if ORDINARY.contains(&size) && plane.w.abs() < 1e120 || size == 0.0 || !size.is_finite() {
         return plane;
     }
+    // Below 1/8: six products with a fourth coordinate of any size are not too large together.
     let (_, exponent) = split(size);
-    scaled(plane.to_array(), -exponent).into()
+    scaled(plane.to_array(), -exponent - 4).into()
 }
 
 /// The homogeneous point on three planes: the vector at right angles to their coefficients.

@@ -255,7 +255,7 @@ impl Sub for Sum {
 /// # Formula
 ///
 /// ```text
-/// π·P = a x + b y + c z + d w        (value f · 2ᵉ: a double of its own could overflow or vanish)
+/// π·P = a x + b y + c z + d w        (value f · 2ᵉ: a double could overflow or vanish)
 /// ```
 ///
 /// # Properties

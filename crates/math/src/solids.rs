@@ -226,7 +226,8 @@ pub fn tetrahedron() -> Mesh {
 /// # Formula
 ///
 /// ```text
-/// x = r sin θ cos φ     y = r cos θ     z = −r sin θ sin φ      θ = π j/stacks,  φ = 2π i/slices
+/// x = r sin θ cos φ     y = r cos θ     z = −r sin θ sin φ
+/// θ = π j/stacks,  φ = 2π i/slices
 /// ```
 ///
 /// # Properties
@@ -276,7 +277,8 @@ pub fn sphere(radius: f64, slices: u32, stacks: u32) -> Result<Mesh, SolidError>
 /// # Formula
 ///
 /// ```text
-/// x = (R + r cos β) cos φ     y = −r sin β     z = −(R + r cos β) sin φ     φ = 2π i/around,  β = 2π j/across
+/// x = (R + r cos β) cos φ     y = −r sin β     z = −(R + r cos β) sin φ
+/// φ = 2π i/around,  β = 2π j/across
 /// ```
 ///
 /// # Properties

@@ -46,8 +46,9 @@ impl Ellipse {
 ///
 /// ```text
 /// C  = shadow of the middle of the object's bounding box
-/// ‖u‖ = ½ (max e₁·X − min e₁·X),   ‖v‖ = ½ (max e₂·X − min e₂·X)        over the object's points X
-/// e₁ = the coordinate axis most along the plane, made to lie in it;   e₂ = e₁ × n, both of unit length
+/// ‖u‖ = ½ (max e₁·X − min e₁·X),   ‖v‖ = ½ (max e₂·X − min e₂·X)   over its points X
+/// e₁ = the coordinate axis most along the plane, made to lie in it
+/// e₂ = e₁ × n, both of unit length
 /// n = plane.normal / ‖plane.normal‖
 /// ```
 ///
@@ -87,8 +88,9 @@ pub fn ellipse(points: &[DVec3], plane: Plane, light: DVec4) -> Option<Ellipse> 
     let (min, max) = rest
         .iter()
         .fold((first, first), |(min, max), &p| (min.min(p), max.max(p)));
-    // Halved first, so that the middle of a huge object is finite.
+    // The shadow of its middle. Halved first, so that the middle of a huge object is finite.
     let center = cast(plane, light, min / 2.0 + max / 2.0)?;
+    // Two directions in the plane, the first near a coordinate axis.
     let n = plane.normal / plane.normal.abs().max_element();
     let n = n / n.length();
     let along = n.abs();
@@ -101,6 +103,7 @@ pub fn ellipse(points: &[DVec3], plane: Plane, light: DVec4) -> Option<Ellipse> 
     };
     let e1 = (axis - n * n.dot(axis)).normalize_or_zero();
     let e2 = e1.cross(n);
+    // Half of how far the object reaches along each.
     let half_extent = |e: DVec3| {
         let heights = points.iter().map(|&p| e.dot(p / 2.0));
         let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {

@@ -53,6 +53,26 @@ fn degenerate() {
     assert_eq!(good.to_pixel(DVec3::NAN), None);
 }
 
+/// The products on the way to such an eye are beyond the doubles, the eye is not.
+#[test]
+fn eyes_far_away_are_found() {
+    let projection = frustum(-1.0, 1.0, -1.0, 1.0, 1e240, 1e260).unwrap();
+    for (far, factor) in [(1e250, 1e50), (1e250, 1e-50), (1e300, 1.0), (1e307, 1.0)] {
+        let eye = DVec3::new(far, 0.5 * far, 0.25 * far);
+        let view = look_at(eye, DVec3::ZERO, DVec3::Y).unwrap();
+        let scale = DMat4::from_diagonal(DVec4::new(1e-240, 1e-240, 1.0, 1.0));
+        let camera = Camera {
+            view_projection: scale * projection * view * factor,
+            viewport: VIEWPORT,
+        };
+        let found = camera.eye().unwrap().truncate();
+        assert!(
+            ((found - eye) / far).length() <= 32.0 * f64::EPSILON,
+            "{far:e}: {found}"
+        );
+    }
+}
+
 #[test]
 fn a_parallel_view_looks_along_one_direction() {
     let projection = orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 50.0).unwrap();

@@ -74,7 +74,8 @@ pub fn cast_plain(plane: Plane, light: DVec4, v: DVec3, work: &mut impl Count) -
 /// # Formula
 ///
 /// ```text
-/// P = (s V − t L) / (s − L_w t)        s = π·L,  t = n·V + d,  π = (n, d),  L = (L_x, L_y, L_z, L_w)
+/// P = (s V − t L) / (s − L_w t)        s = π·L,  t = n·V + d
+/// π = (n, d),  L = (L_x, L_y, L_z, L_w)
 ///
 /// plane y = 0, light at a place:       P_x = (L_y V_x − L_x V_y) / (L_y − V_y)
 /// plane y = 0, light at infinity:      P_x = V_x − (V_y / L_y) L_x

@@ -105,8 +105,9 @@ pub fn classify(plane: Plane, light: DVec4, v: DVec3) -> Option<Placement> {
 /// # Formula
 ///
 /// ```text
-/// the part of the polygon with   n·V + d ≥ 0   (on the light's side)   and   s − L_w t ≥ 0   (below the light),
-/// each vertex cast:   (P, 1),   or (L_w V − L, 0), a direction, for a vertex level with the light
+/// the part of the polygon with   n·V + d ≥ 0     (on the light's side)
+///                         and   s − L_w t ≥ 0   (below the light),
+/// each vertex cast:   (P, 1),   or (L_w V − L, 0), a direction, where it is level with the light
 /// ```
 ///
 /// # Properties
@@ -229,7 +230,7 @@ pub fn cast_polygon_each(plane: Plane, lights: &[DVec4], polygon: &[DVec3]) -> V
 /// # Formula
 ///
 /// ```text
-/// the shadow on the receiver's plane, then against each of its edges AB:   (n × AB)·(X − A) ≥ 0
+/// the shadow on the receiver's plane, then against each of its edges AB:  (n × AB)·(X − A) ≥ 0
 /// ```
 ///
 /// # Properties
