@@ -265,7 +265,10 @@ proptest! {
     /// Snapping is exact: ⌊x · 2ᵇ + ½⌋ / 2ᵇ in rationals, for every double and any number of bits.
     #[test]
     fn snapping_is_exact(x in ANY.prop_filter("finite", |x| x.is_finite()), near in -60..60i32, bits in 0..1100u32) {
-        for x in [x, libm::scalbn(x, near - libm::ilogb(x).clamp(-1100, 1100) - bits as i32)] {
+        let scaled = |x: f64| libm::scalbn(x, -(bits as i32));
+        let tie = f64::from(near) + 0.5;
+        let ties = [tie.next_down(), tie, tie.next_up()].map(scaled);
+        for x in [x, scaled(libm::scalbn(x, near - libm::ilogb(x).clamp(-1100, 1100)))].into_iter().chain(ties) {
             prop_assume!(x.is_finite());
             let scale = BigRational::from_integer(BigInt::from(1) << bits as usize);
             let half = BigRational::new(1.into(), 2.into());
