@@ -55,7 +55,7 @@ fn twice_area(a: DVec2, b: DVec2, p: DVec2) -> Sum {
 /// # Formula
 ///
 /// ```text
-/// λ₀ = E(b, c, p) / E(a, b, c)     λ₁ = E(c, a, p) / E(a, b, c)     λ₂ = E(a, b, p) / E(a, b, c)
+/// λ₀ = E(b, c, p) / E(a, b, c)    λ₁ = E(c, a, p) / E(a, b, c)    λ₂ = E(a, b, p) / E(a, b, c)
 /// E(a, b, p) = (b − a) × (p − a),  twice the area of the triangle a b p
 /// ```
 ///

@@ -197,7 +197,7 @@ pub fn active_edges(table: &[Edge], y: u32, width: u32) -> Vec<Crossing> {
 /// # Formula
 ///
 /// ```text
-/// column i is in  ⇔  the sum of the windings of all crossings with column ≤ i is inside by `rule`
+/// column i is in  ⇔  the sum of the windings of crossings with column ≤ i is inside by `rule`
 /// ```
 ///
 /// # Properties

@@ -11,7 +11,8 @@ use super::{Pixels, clipped};
 /// # Formula
 ///
 /// ```text
-/// pixels[y · width + x] = value        for each (x, y) of clipped(a, b, (0, 0), (width − 1, height − 1))
+/// pixels[y · width + x] = value
+/// for each (x, y) of clipped(a, b, (0, 0), (width − 1, height − 1))
 /// ```
 ///
 /// # Properties
