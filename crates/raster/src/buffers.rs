@@ -13,6 +13,7 @@ use image::{ImageBuffer, Luma, Pixel, Rgb, Rgba};
 
 use crate::span::Span;
 
+pub use crate::depth_format::U24;
 pub use depth::DepthBuffer;
 pub use image;
 
@@ -27,41 +28,6 @@ pub type StencilBuffer = Picture<Luma<u8>>;
 
 /// Most bytes that [`new`] allocates: 2³⁰, a picture of 16 384 × 16 384 pixels of 4 bytes.
 pub const MAX_BYTES: u64 = 1 << 30;
-
-/// An integer of 24 bits, kept in 32: a depth of [`Depth24`](crate::depth_format::Depth24).
-///
-/// # Examples
-///
-/// ```
-/// use ombra_raster::buffers::U24;
-///
-/// assert_eq!(U24::new(0xff_ffff), Some(U24::MAX));
-/// assert_eq!(U24::new(0x100_0000), None);
-/// assert_eq!(U24::MAX.get(), 16_777_215);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct U24(u32);
-
-impl U24 {
-    /// 2²⁴ − 1.
-    pub const MAX: Self = Self((1 << 24) - 1);
-
-    /// `value`, or `None` if it needs more than 24 bits.
-    #[must_use]
-    pub const fn new(value: u32) -> Option<Self> {
-        if value <= Self::MAX.0 {
-            Some(Self(value))
-        } else {
-            None
-        }
-    }
-
-    /// The value.
-    #[must_use]
-    pub const fn get(self) -> u32 {
-        self.0
-    }
-}
 
 /// Why a buffer is not made or not painted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

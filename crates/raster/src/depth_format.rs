@@ -8,8 +8,6 @@ use core::fmt::Debug;
 use image::Primitive;
 use ombra_math::glam::DVec4;
 
-use crate::buffers::U24;
-
 /// A way to store depths; the z-buffer is one and the same for all.
 ///
 /// Sealed: the formats are [`Depth16`], [`Depth24`], [`Depth32F`] and [`ReversedDepth32F`]. The fast form of the
@@ -145,6 +143,41 @@ pub struct Depth32F;
 /// 1 − depth in single precision: the digits are dense where the perspective crowds the depths, at the far end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReversedDepth32F;
+
+/// An integer of 24 bits, kept in 32: a depth of [`Depth24`].
+///
+/// # Examples
+///
+/// ```
+/// use ombra_raster::depth_format::U24;
+///
+/// assert_eq!(U24::new(0xff_ffff), Some(U24::MAX));
+/// assert_eq!(U24::new(0x100_0000), None);
+/// assert_eq!(U24::MAX.get(), 16_777_215);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct U24(u32);
+
+impl U24 {
+    /// 2²⁴ − 1.
+    pub const MAX: Self = Self((1 << 24) - 1);
+
+    /// `value`, or `None` if it needs more than 24 bits.
+    #[must_use]
+    pub const fn new(value: u32) -> Option<Self> {
+        if value <= Self::MAX.0 {
+            Some(Self(value))
+        } else {
+            None
+        }
+    }
+
+    /// The value.
+    #[must_use]
+    pub const fn get(self) -> u32 {
+        self.0
+    }
+}
 
 impl DepthFormat for Depth16 {
     type Stored = u16;

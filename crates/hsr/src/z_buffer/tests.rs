@@ -138,7 +138,16 @@ fn both_forms_agree<F: DepthFormat + PartialEq>(
         drawn(mesh, camera, colours, options, target, Form::Plain, &mut ()).unwrap();
         let (mut fast, mut fast_depth) = (picture, fresh.clone());
         let target = (&mut fast, &mut fast_depth);
-        drawn(mesh, camera, colours, options, target, Form::Threads, &mut ()).unwrap();
+        drawn(
+            mesh,
+            camera,
+            colours,
+            options,
+            target,
+            Form::Threads,
+            &mut (),
+        )
+        .unwrap();
         prop_assert_eq!(&plain_depth, &fast_depth);
         prop_assert_eq!(plain, fast);
         let mut alone = fresh.clone();
