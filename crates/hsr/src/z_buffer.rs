@@ -85,17 +85,23 @@ pub fn draw_plain<F: DepthFormat, P: PicturePixel>(
                 continue;
             };
             let mut fragments = 0;
-            // For each pixel of its projection: z, the depth of the primitive there.
-            for (x, y, edges) in setup.pixels(width, height) {
-                let z = F::encode(setup.value(edges));
-                fragments += 1;
-                // Is it nearer than what the buffer holds? Then both are written, depth and colour.
-                if let Some(nearest) = depth.stored_mut(x, y)
-                    && let Some(pixel) = picture.get_pixel_mut_checked(x, y)
-                    && F::is_nearer(z, *nearest)
-                {
-                    *nearest = z;
-                    options.blend.write(pixel.channels_mut(), ink.at(edges));
+            let [columns, rows] = setup.bounds(width, height);
+            for y in rows {
+                for x in columns.clone() {
+                    // For each pixel of its projection: z, the depth of the primitive there.
+                    let Some(edges) = setup.edges_at(x, y) else {
+                        continue;
+                    };
+                    let z = F::encode(setup.value(edges));
+                    fragments += 1;
+                    // Is it nearer than what the buffer holds? Then both are written, depth and colour.
+                    if let Some(nearest) = depth.stored_mut(x, y)
+                        && F::is_nearer(z, *nearest)
+                        && let Some(pixel) = picture.get_pixel_mut_checked(x, y)
+                    {
+                        *nearest = z;
+                        options.blend.write(pixel.channels_mut(), ink.at(edges));
+                    }
                 }
             }
             work.add(Counter::Fragments, fragments);
