@@ -293,12 +293,12 @@ proptest! {
         let answer = direct::clip_segment(&w, s);
         prop_assert!(answer.is_none_or(|s| w.contains(s.a) && w.contains(s.b)), "{:?}", answer);
         prop_assert!(answer.is_none() || (s.is_finite() && !w.is_empty()));
-        prop_assert_eq!(direct::clip_segment_counted(&w, s, &mut work), answer);
+        prop_assert_eq!(direct::counted::clip_segment(&w, s, &mut work), answer);
         prop_assert_eq!(cohen_sutherland::clip_segment(&w, s), answer);
-        prop_assert_eq!(cohen_sutherland::clip_segment_counted(&w, s, &mut work), answer);
-        prop_assert_eq!(cohen_sutherland::clip_segment_in_steps(&w, s, &mut work), answer);
+        prop_assert_eq!(cohen_sutherland::counted::clip_segment(&w, s, &mut work), answer);
+        prop_assert_eq!(cohen_sutherland::clip_segment_plain(&w, s, &mut work), answer);
         prop_assert_eq!(liang_barsky::clip_segment(&w, s), answer);
-        prop_assert_eq!(liang_barsky::clip_segment_counted(&w, s, &mut work), answer);
+        prop_assert_eq!(liang_barsky::counted::clip_segment(&w, s, &mut work), answer);
         prop_assert_eq!(cohen_sutherland::trace(&w, s).is_empty(), !s.is_finite() || w.is_empty());
         prop_assert_eq!(cohen_sutherland::outcode(&w, a).is_inside(), w.contains(a));
         let code = cohen_sutherland::outcode(&w, a);
@@ -324,16 +324,16 @@ proptest! {
         let mut work = Work::default();
         let answer = cyrus_beck::clip_segment(&polygon, s);
         prop_assert!(answer.is_none_or(Segment::is_finite));
-        prop_assert_eq!(cyrus_beck::clip_segment_counted(&polygon, s, &mut work), answer);
+        prop_assert_eq!(cyrus_beck::counted::clip_segment(&polygon, s, &mut work), answer);
         let planes: Vec<Plane> = planes.into_iter().map(|(normal, d)| Plane { normal, d }).collect();
         let answer = cyrus_beck::clip_segment_3d(&planes, [p, q]);
         prop_assert!(answer.is_none_or(|s| s.iter().all(|p| p.is_finite())));
-        prop_assert_eq!(cyrus_beck::clip_segment_3d_counted(&planes, [p, q], &mut work), answer);
+        prop_assert_eq!(cyrus_beck::counted::clip_segment_3d(&planes, [p, q], &mut work), answer);
 
         let bounds = Box3 { min, max };
         let answer = box3::clip_segment(&bounds, [p, q]);
         prop_assert!(answer.is_none_or(|s| s.iter().all(|&p| bounds.contains(p))), "{:?}", answer);
-        prop_assert_eq!(box3::clip_segment_counted(&bounds, [p, q], &mut work), answer);
+        prop_assert_eq!(box3::counted::clip_segment(&bounds, [p, q], &mut work), answer);
         let code = box3::outcode(&bounds, p);
         prop_assert_eq!(code.is_inside(), bounds.contains(p));
         prop_assert!(code.bits() < 64 && code.to_string().len() == 6);
@@ -348,11 +348,11 @@ proptest! {
         let mut work = Work::default();
         let outline = sutherland_hodgman::clip_polygon(&w, &polygon);
         prop_assert!(outline.iter().all(|&p| w.contains(p)), "{:?}", outline);
-        prop_assert_eq!(&sutherland_hodgman::clip_polygon_counted(&w, &polygon, &mut work), &outline);
-        prop_assert_eq!(&sutherland_hodgman::clip_polygon_in_passes(&w, &polygon, &mut work), &outline);
+        prop_assert_eq!(&sutherland_hodgman::counted::clip_polygon(&w, &polygon, &mut work), &outline);
+        prop_assert_eq!(&sutherland_hodgman::clip_polygon_plain(&w, &polygon, &mut work), &outline);
         let parts = pieces::clip_polygon(&w, &polygon);
         prop_assert!(parts.iter().flatten().all(|&p| w.contains(p)), "{:?}", parts);
-        prop_assert_eq!(&pieces::clip_polygon_counted(&w, &polygon, &mut work), &parts);
+        prop_assert_eq!(&pieces::counted::clip_polygon(&w, &polygon, &mut work), &parts);
         for result in parts.iter().chain([&outline]) {
             let repeated = result.iter().zip(result.iter().cycle().skip(1)).any(|(p, q)| p == q);
             prop_assert!((result.is_empty() || result.len() >= 3) && !repeated, "{:?}", result);
@@ -375,7 +375,7 @@ proptest! {
         let clipped = homogeneous::clip_polygon(&vertices);
         prop_assert!(clipped.iter().all(|v| homogeneous::contains(v.position) && v.position.w > 0.0), "{:?}", clipped);
         let mut work = Work::default();
-        let counted = homogeneous::clip_polygon_to_counted(&vertices, &planes, &mut work);
+        let counted = homogeneous::counted::clip_polygon_to(&vertices, &planes, &mut work);
         let bits = |polygon: &[Vertex<1>]| -> Vec<_> {
             polygon.iter().map(|v| (v.position.to_array().map(f64::to_bits), v.attributes[0].to_bits())).collect()
         };
@@ -383,7 +383,7 @@ proptest! {
         if let [(a, _), (b, _), ..] = polygon[..] {
             let answer = homogeneous::clip_segment([a, b]);
             prop_assert!(answer.is_none_or(|s| s.iter().all(|&p| homogeneous::contains(p))), "{:?}", answer);
-            prop_assert_eq!(homogeneous::clip_segment_counted([a, b], &mut work), answer);
+            prop_assert_eq!(homogeneous::counted::clip_segment([a, b], &mut work), answer);
             for plane in ViewPlane::ALL {
                 let _ = plane.terms(a);
             }

@@ -6,44 +6,96 @@
 #![cfg_attr(doc, doc = include_str!("../figures/outcodes.svg"))]
 
 use core::cmp::Ordering;
+use core::iter::successors;
 
-use ombra_math::glam::{DVec2, Vec2Swizzles};
+use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
 
-use crate::crossing::{compare, cut, cut_in_window, two_entries};
-use crate::lanes::{Mask, and, negative, not, or, select};
+use crate::crossing::{compare, cut};
 use crate::segment::Segment;
 use crate::window::{Line, Side, Window};
 
+mod fast;
 mod outcode;
+mod textbook;
 
 pub use outcode::{Outcode, outcode};
+pub use textbook::textbook;
 
-/// One iteration: the segment as it is, the codes of its ends, and what follows from them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
-    /// What has not been cut off yet.
-    pub segment: Segment,
-    /// The codes of a and b as the true points they stand for: rounded onto a corner, a new end may be inside by itself.
-    pub codes: [Outcode; 2],
-    /// What the two codes decide.
-    pub decision: Decision,
+/// [`clip_segment`] by the iterations of the slides, counting its [work](crate#counted-work).
+///
+/// # Properties
+///
+/// - The same result, bit for bit.
+/// - Error: none: each coordinate is the double nearest to the exact one.
+///
+/// # References
+///
+/// As for [`clip_segment`].
+#[must_use]
+pub fn clip_segment_plain(
+    window: &Window,
+    given: Segment,
+    work: &mut impl Count,
+) -> Option<Segment> {
+    if !given.is_finite() || window.is_empty() {
+        return None;
+    }
+    let Segment { mut a, mut b } = given;
+    let mut codes = [outcode(window, a), outcode(window, b)];
+    work.add(Counter::Comparisons, 8);
+    loop {
+        // OR = 0000: both ends inside. AND ≠ 0000: both beyond one side.
+        if (codes[0] | codes[1]).is_inside() {
+            return Some(Segment { a, b });
+        }
+        if !(codes[0] & codes[1]).is_inside() {
+            return None;
+        }
+        // Cut at the first side whose bits differ, then test both again.
+        let side = first_difference(codes)?;
+        let (p, code) = crossing(window, given, side);
+        work.add(Counter::Divisions, 1);
+        work.add(Counter::Comparisons, 2);
+        // The crossing replaces the end with the bit 1.
+        if codes[0].has(side) {
+            (a, codes[0]) = (p, code);
+        } else {
+            (b, codes[1]) = (p, code);
+        }
+    }
 }
 
-/// What two codes decide.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Decision {
-    /// OR is 0000: the whole segment is inside.
-    Accept,
-    /// AND is not 0000: the whole segment is beyond one side.
-    Reject,
-    /// The first bit that differs: the end that has it is replaced by the crossing with its side.
-    Cut {
-        /// The side of that bit.
-        side: Side,
-        /// Whether it is a that is replaced; otherwise b.
-        replaces_a: bool,
-    },
+/// The first side that one end lies beyond and the other does not.
+fn first_difference([a, b]: [Outcode; 2]) -> Option<Side> {
+    Side::ALL
+        .into_iter()
+        .find(|&side| a.has(side) != b.has(side))
+}
+
+/// Where the segment as given crosses a side, and the code of that point: of the true one, of which the point is the
+/// nearest double.
+fn crossing(window: &Window, given: Segment, side: Side) -> (DVec2, Outcode) {
+    let line = window.line(side);
+    let p = cut(given, line);
+    let beyond = |along: f64, limit: f64, side: Side, way: Ordering| {
+        if compare(given, line, along, limit) == way {
+            Outcode::of(side)
+        } else {
+            Outcode::INSIDE
+        }
+    };
+    let code = match line {
+        Line::Vertical(_) => {
+            beyond(p.y, window.max.y, Side::Above, Ordering::Greater)
+                | beyond(p.y, window.min.y, Side::Below, Ordering::Less)
+        }
+        Line::Horizontal(_) => {
+            beyond(p.x, window.max.x, Side::Right, Ordering::Greater)
+                | beyond(p.x, window.min.x, Side::Left, Ordering::Less)
+        }
+    };
+    (p, code)
 }
 
 /// The part of `segment` in `window`, or `None` if there is none.
@@ -58,8 +110,9 @@ pub enum Decision {
 ///
 /// # Properties
 ///
-/// - Ends inside are returned unchanged; others lie on the border, in the window exactly, at the double nearest to
-///   the true crossing. So clipping twice changes nothing.
+/// - Error: none: each coordinate is the double nearest to the exact one.
+/// - Ends inside are returned unchanged; others lie on the border, in the window exactly. So clipping twice changes
+///   nothing.
 /// - Whether anything remains is decided exactly: a corner is missed or touched as it is, not as rounding says.
 ///   A segment that touches a corner gives that point, twice.
 /// - Direction is kept, and the reversed segment gives the same points.
@@ -93,81 +146,47 @@ pub enum Decision {
 #[inline]
 #[must_use]
 pub fn clip_segment(window: &Window, segment: Segment) -> Option<Segment> {
-    clip_segment_counted(window, segment, &mut ())
+    fast::clip_segment(window, segment, &mut ())
 }
 
-/// [`clip_segment`], counting its [work](crate#counted-work): where the codes leave any doubt, that of a crossing for
-/// each end, for both are computed at once.
-#[inline]
-#[must_use]
-pub fn clip_segment_counted(
-    window: &Window,
-    segment: Segment,
-    work: &mut impl Count,
-) -> Option<Segment> {
-    work.add(Counter::Comparisons, 8);
-    // Fast form: the same two tests, for both ends at once.
-    let Segment { a, b } = segment;
-    let (x, y) = (DVec2::new(a.x, b.x), DVec2::new(a.y, b.y));
-    let distances = [
-        x + (0.0 - window.min.x), // on the border 0 for −0 too
-        (window.max.x + 0.0) - x,
-        y + (0.0 - window.min.y),
-        (window.max.y + 0.0) - y,
-    ];
-    let [left, right, below, above] = distances.map(negative);
-    let outside = or(or(left, right), or(below, above));
-    if outside[0] | outside[1] == 0 {
-        // A NaN has any sign, and a window made by hand may have anything.
-        let inside = segment.is_finite() && !window.is_empty();
-        // Built anew: one and the same registers for all answers.
-        return inside.then(|| Segment::new(DVec2::new(x.x, y.x), DVec2::new(x.y, y.y)));
-    }
-    if both_ends(left) | both_ends(right) | both_ends(below) | both_ends(above) != 0 {
-        return None;
-    }
-    // Each end enters by itself; what is wrong for one inside is not looked at.
-    let [left, right, below, above] = distances;
-    let within = [left.min(right), below.min(above)];
-    let entries = two_entries(window, [x, y], [x.yx(), y.yx()], within, work);
-    if both_ends(or(entries.certain, not(outside))) != 0 && !window.is_empty() {
-        let x = select(outside, entries.x, x);
-        let y = select(outside, entries.y, y);
-        return Some(Segment::new(DVec2::new(x.x, y.x), DVec2::new(x.y, y.y)));
-    }
-    let missed = and(entries.missed(), outside);
-    if missed[0] | missed[1] != 0 {
-        return None;
-    }
-    clip_carefully(window, segment)
+/// Each gives the same answer as the function of its name and counts its [work](crate#counted-work), which comes last.
+pub mod counted {
+    pub use super::fast::clip_segment;
 }
 
-fn both_ends(mask: Mask) -> u64 {
-    mask[0] & mask[1]
+/// One iteration: the segment as it is, the codes of its ends, and what follows from them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// What has not been cut off yet.
+    pub segment: Segment,
+    /// The codes of a and b as the true points they stand for: rounded onto a corner, a new end may be inside by itself.
+    pub codes: [Outcode; 2],
+    /// What the two codes decide.
+    pub decision: Decision,
 }
 
-/// The same again, exactly: an end beyond one side is cut there or the segment misses; one in a corner's region is cut
-/// at whichever of its two sides has the crossing in the window.
-#[cold]
-#[inline(never)]
-fn clip_carefully(window: &Window, segment: Segment) -> Option<Segment> {
-    if window.is_empty() || !segment.is_finite() {
-        return None;
-    }
-    let entry = |end: DVec2| {
-        if window.contains(end) {
-            return Some(end);
-        }
-        Side::ALL
-            .into_iter()
-            .filter(|&side| outcode(window, end).has(side))
-            .find_map(|side| cut_in_window(window, segment, window.line(side)))
-    };
-    Some(Segment::new(entry(segment.a)?, entry(segment.b)?))
+/// What two codes decide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Decision {
+    /// OR is 0000: the whole segment is inside.
+    Accept,
+    /// AND is not 0000: the whole segment is beyond one side.
+    Reject,
+    /// The first bit that differs: the end that has it is replaced by the crossing with its side.
+    Cut {
+        /// The side of that bit.
+        side: Side,
+        /// Whether it is a that is replaced; otherwise b.
+        replaces_a: bool,
+    },
 }
 
 /// The iterations of the method, the last one accepting or rejecting; none for an end that is not finite, nor for an
 /// empty window (made by hand with `min` above `max`, or with NaN).
+///
+/// # Properties
+///
+/// - Error: none: each new coordinate is the double nearest to the exact one.
 ///
 /// # Examples
 ///
@@ -190,94 +209,43 @@ fn clip_carefully(window: &Window, segment: Segment) -> Option<Segment> {
 /// Grafica 3, «Algoritmo Cohen-Sutherland», the second slide's steps.
 #[must_use]
 pub fn trace(window: &Window, segment: Segment) -> Vec<Step> {
-    let mut steps = Vec::new();
-    iterate(window, segment, &mut (), |step| steps.push(step));
-    steps
-}
-
-/// [`clip_segment`] in its plain form, by the iterations of [`trace`], counting its [work](crate#counted-work).
-///
-/// # Properties
-///
-/// The same result, bit for bit.
-///
-/// # References
-///
-/// As for [`trace`].
-#[must_use]
-pub fn clip_segment_in_steps(
-    window: &Window,
-    segment: Segment,
-    work: &mut impl Count,
-) -> Option<Segment> {
-    let mut last = None;
-    iterate(window, segment, work, |step| last = Some(step));
-    last.filter(|step| step.decision == Decision::Accept)
-        .map(|step| step.segment)
-}
-
-/// Plain form: the method as the slides have it, with both tests in each iteration.
-fn iterate(window: &Window, given: Segment, work: &mut impl Count, mut report: impl FnMut(Step)) {
-    if !given.is_finite() || window.is_empty() {
-        return;
+    if !segment.is_finite() || window.is_empty() {
+        return Vec::new();
     }
-    let mut segment = given;
-    work.add(Counter::Comparisons, 8);
-    let mut codes = [outcode(window, given.a), outcode(window, given.b)];
-    // No side is cut twice.
-    for _ in 0..=Side::ALL.len() {
-        let mut step = |decision| {
-            report(Step {
-                segment,
-                codes,
-                decision,
-            });
+    let codes = [segment.a, segment.b].map(|end| outcode(window, end));
+    successors(Step::of(segment, codes), |step| step.next(window, segment)).collect()
+}
+
+impl Step {
+    /// What follows from two codes.
+    fn of(segment: Segment, codes: [Outcode; 2]) -> Option<Self> {
+        let decision = if (codes[0] | codes[1]).is_inside() {
+            Decision::Accept
+        } else if !(codes[0] & codes[1]).is_inside() {
+            Decision::Reject
+        } else {
+            let side = first_difference(codes)?;
+            let replaces_a = codes[0].has(side);
+            Decision::Cut { side, replaces_a }
         };
-        if (codes[0] | codes[1]).is_inside() {
-            return step(Decision::Accept);
-        }
-        if !(codes[0] & codes[1]).is_inside() {
-            return step(Decision::Reject);
-        }
-        // AND is zero and OR is not: some bit differs.
-        let Some(side) = Side::ALL
-            .into_iter()
-            .find(|&side| codes[0].has(side) != codes[1].has(side))
-        else {
-            return;
+        Some(Self {
+            segment,
+            codes,
+            decision,
+        })
+    }
+
+    /// The next iteration, after a cut.
+    fn next(&self, window: &Window, given: Segment) -> Option<Self> {
+        let Decision::Cut { side, replaces_a } = self.decision else {
+            return None;
         };
-        let replaces_a = codes[0].has(side);
-        step(Decision::Cut { side, replaces_a });
-        work.add(Counter::Divisions, 1);
-        work.add(Counter::Comparisons, 2);
-        let line = window.line(side);
-        let p = cut(given, line);
-        let code = outcode_of_crossing(window, given, line, p);
+        let (p, code) = crossing(window, given, side);
+        let (Segment { a, b }, [code_a, code_b]) = (self.segment, self.codes);
         if replaces_a {
-            (segment.a, codes[0]) = (p, code);
+            Self::of(Segment { a: p, b }, [code, code_b])
         } else {
-            (segment.b, codes[1]) = (p, code);
-        }
-    }
-}
-
-/// The code of the crossing of `segment` with `line`, of which `p` is the nearest double.
-fn outcode_of_crossing(window: &Window, segment: Segment, line: Line, p: DVec2) -> Outcode {
-    let beyond = |along: f64, limit: f64, side: Side, way: Ordering| {
-        if compare(segment, line, along, limit) == way {
-            Outcode::of(side)
-        } else {
-            Outcode::INSIDE
-        }
-    };
-    match line {
-        Line::Vertical(_) => {
-            beyond(p.y, window.max.y, Side::Above, Ordering::Greater)
-                | beyond(p.y, window.min.y, Side::Below, Ordering::Less)
-        }
-        Line::Horizontal(_) => {
-            beyond(p.x, window.max.x, Side::Right, Ordering::Greater)
-                | beyond(p.x, window.min.x, Side::Left, Ordering::Less)
+            Self::of(Segment { a, b: p }, [code_a, code])
         }
     }
 }

@@ -5,17 +5,163 @@
 
 use core::cmp::Ordering;
 
-use ombra_math::double_double::DoubleDouble;
-use ombra_math::exact::{Sum, dot};
 use ombra_math::glam::{DVec2, DVec3};
-use ombra_math::homogeneous::point;
 use ombra_math::plane::Plane;
 use ombra_math::predicates::orient_2d;
 use ombra_math::work::{Count, Counter};
 
 use crate::crossing::between_products;
+use crate::interval::Interval;
 use crate::outline::{edges, is_finite};
 use crate::segment::Segment;
+
+use order::{order, order_exactly, products};
+
+mod fast;
+mod order;
+
+/// [`clip_segment`] as the paper tells it, counting its [work](crate#counted-work).
+///
+/// # Properties
+///
+/// - The same result, bit for bit, while coordinates are 0 or between 2⁻²⁵⁰ and 2²⁵⁰ in size; beyond that, entries and
+///   exits may be taken for one another.
+/// - Error: none: each coordinate is the double nearest to that of the exact crossing with a side.
+///
+/// # References
+///
+/// As for [`clip_segment`].
+#[must_use]
+pub fn clip_segment_plain(
+    convex: &[DVec2],
+    segment: Segment,
+    work: &mut impl Count,
+) -> Option<Segment> {
+    let Segment { a, b } = segment;
+    if !segment.is_finite() || !is_finite(convex) {
+        return None;
+    }
+    let outside = turn(convex, work)?.reverse();
+    let mut left = Interval::WHOLE;
+    for side in edges(convex) {
+        // N·D > 0 and A beyond the side: it enters there. N·D < 0 and B beyond it: it leaves there.
+        let beyond = [a, b].map(|x| orientation(side, x, work) == Some(outside));
+        // The latest entry and the earliest exit: t against t.
+        left.cut(side, beyond, |k, best| {
+            order_of_sides([k, best], segment, outside, work)
+        })?;
+    }
+    // Nothing is left of what leaves before it enters.
+    let [a, b] = left.ends(
+        [a, b],
+        |entry, exit, work| order_of_sides([entry, exit], segment, outside, work),
+        |side, work| crossing(segment, side, work),
+        work,
+    )?;
+    Some(Segment { a, b })
+}
+
+/// [`clip_segment_3d`] with its loop, counting its [work](crate#counted-work).
+///
+/// # Properties
+///
+/// - Error: none: each coordinate is the double nearest to that of the exact crossing with a plane.
+///
+/// # References
+///
+/// As for [`clip_segment`].
+#[must_use]
+pub fn clip_segment_3d_plain(
+    planes: &[Plane],
+    [a, b]: [DVec3; 2],
+    work: &mut impl Count,
+) -> Option<[DVec3; 2]> {
+    if !a.is_finite() || !b.is_finite() {
+        return None;
+    }
+    let later = |p: &Plane, q: &Plane, work: &mut _| {
+        Count::add(work, Counter::Multiplications, 2);
+        Count::add(work, Counter::Comparisons, 1);
+        order(p, q, a, b)
+    };
+    let mut left = Interval::WHOLE;
+    for plane in planes {
+        // s(A) < 0 enters there, s(B) < 0 leaves there; of both nothing is left.
+        work.add(Counter::Multiplications, 6);
+        work.add(Counter::Comparisons, 2);
+        let beyond = [
+            plane.side(a)? == Ordering::Less,
+            plane.side(b)? == Ordering::Less,
+        ];
+        left.cut(plane, beyond, |k, best| later(k, best, work))?;
+    }
+    left.ends(
+        [a, b],
+        later,
+        |plane, work| {
+            work.add(Counter::Divisions, 1);
+            let (sa, sb) = (products(plane, a), products(plane, b));
+            DVec3::from_array([0, 1, 2].map(|k| between_products(&sa, &sb, [a[k], b[k]])))
+        },
+        work,
+    )
+}
+
+/// A side of a polygon, from P to Q.
+type Edge = (DVec2, DVec2);
+
+/// How a convex polygon turns; `None` without area.
+fn turn(convex: &[DVec2], work: &mut impl Count) -> Option<Ordering> {
+    let next = convex.iter().cycle().skip(1);
+    let after = convex.iter().cycle().skip(2);
+    convex
+        .iter()
+        .zip(next.zip(after))
+        .filter_map(|(&a, (&b, &c))| orientation((a, b), c, work))
+        .find(|&turn| turn != Ordering::Equal)
+}
+
+/// On which side of an edge the point x lies.
+fn orientation((p, q): Edge, x: DVec2, work: &mut impl Count) -> Option<Ordering> {
+    work.add(Counter::Multiplications, 2);
+    work.add(Counter::Comparisons, 1);
+    orient_2d(p, q, x)
+}
+
+/// (Q − P) × (X − P), multiplied out.
+fn distance((p, q): Edge, x: DVec2) -> [[f64; 2]; 6] {
+    [
+        [p.x, q.y],
+        [-p.y, q.x],
+        [q.x, x.y],
+        [-q.y, x.x],
+        [x.x, p.y],
+        [-x.y, p.x],
+    ]
+}
+
+/// Which of two edges, each with a and b on different sides, is met first on the way from a to b.
+fn order_of_sides(
+    edges: [Edge; 2],
+    Segment { a, b }: Segment,
+    outside: Ordering,
+    work: &mut impl Count,
+) -> Ordering {
+    work.add(Counter::Multiplications, 2);
+    work.add(Counter::Comparisons, 1);
+    let enters = edges.map(|(p, q)| orient_2d(p, q, a) == Some(outside));
+    order_exactly(edges.map(|edge| [a, b].map(|x| distance(edge, x))), enters)
+}
+
+/// Where the segment crosses the line of an edge.
+fn crossing(Segment { a, b }: Segment, edge: Edge, work: &mut impl Count) -> DVec2 {
+    work.add(Counter::Divisions, 1);
+    let (sa, sb) = (distance(edge, a), distance(edge, b));
+    DVec2::new(
+        between_products(&sa, &sb, [a.x, b.x]),
+        between_products(&sa, &sb, [a.y, b.y]),
+    )
+}
 
 /// The part of `segment` in a convex polygon, or `None` if there is none.
 ///
@@ -32,8 +178,9 @@ use crate::segment::Segment;
 /// - The polygon may turn either way; its border is inside.
 /// - Whether anything remains is decided exactly: of a convex polygon, the side with the latest entry is the one whose
 ///   ends lie on different sides of the segment's line, so that signs of orientations take the place of t's.
-/// - Ends inside are returned unchanged, others are nearest doubles to the true crossings; direction is kept. With the
-///   corners of a window the answer is that of the other methods, bit for bit.
+/// - Error: none: each coordinate is the double nearest to the exact one.
+/// - Ends inside are returned unchanged; direction is kept. With the corners of a window the answer is that of the other
+///   methods, bit for bit.
 /// - `None` for a polygon without area, or a number that is not finite.
 ///
 /// # Pitfalls
@@ -59,91 +206,7 @@ use crate::segment::Segment;
 /// clipping», 1978.
 #[must_use]
 pub fn clip_segment(convex: &[DVec2], segment: Segment) -> Option<Segment> {
-    clip_segment_counted(convex, segment, &mut ())
-}
-
-/// [`clip_segment`], counting its [work](crate#counted-work).
-#[must_use]
-pub fn clip_segment_counted(
-    convex: &[DVec2],
-    segment: Segment,
-    work: &mut impl Count,
-) -> Option<Segment> {
-    if !segment.is_finite() || !is_finite(convex) {
-        return None;
-    }
-    let outside = match turn(convex, work)? {
-        Ordering::Greater => Ordering::Less,
-        _ => Ordering::Greater,
-    };
-    Some(Segment {
-        a: entry(convex, segment, outside, work)?,
-        b: entry(convex, segment.reversed(), outside, work)?,
-    })
-}
-
-/// The first point from a on that is inside.
-fn entry(
-    convex: &[DVec2],
-    segment: Segment,
-    outside: Ordering,
-    work: &mut impl Count,
-) -> Option<DVec2> {
-    let Segment { a, b } = segment;
-    let mut inside = true;
-    for (p, q) in edges(convex) {
-        if orientation(p, q, a, work)? != outside {
-            continue;
-        }
-        inside = false;
-        let reaches = orientation(p, q, b, work)? != outside;
-        // Both on the line is no case: a would be on it, not outside.
-        let passes_between = orientation(a, b, p, work)? != orientation(a, b, q, work)?;
-        if reaches && passes_between {
-            work.add(Counter::Divisions, 1);
-            return Some(crossing(segment, p, q));
-        }
-    }
-    inside.then_some(a)
-}
-
-/// How a convex polygon turns; `None` without area.
-fn turn(convex: &[DVec2], work: &mut impl Count) -> Option<Ordering> {
-    let next = convex.iter().cycle().skip(1);
-    let after = convex.iter().cycle().skip(2);
-    convex
-        .iter()
-        .zip(next.zip(after))
-        .filter_map(|(&a, (&b, &c))| orientation(a, b, c, work))
-        .find(|&turn| turn != Ordering::Equal)
-}
-
-/// On which side of a b the point c lies.
-fn orientation(a: DVec2, b: DVec2, c: DVec2, work: &mut impl Count) -> Option<Ordering> {
-    work.add(Counter::Multiplications, 2);
-    work.add(Counter::Comparisons, 1);
-    orient_2d(a, b, c)
-}
-
-/// Where the segment crosses the line p q.
-fn crossing(segment: Segment, p: DVec2, q: DVec2) -> DVec2 {
-    // (q − p) × (x − p), multiplied out.
-    let side = |x: DVec2| {
-        [
-            [p.x, q.y],
-            [-p.y, q.x],
-            [q.x, x.y],
-            [-q.y, x.x],
-            [x.x, p.y],
-            [-x.y, p.x],
-        ]
-    };
-    let Segment { a, b } = segment;
-    let (sa, sb) = (side(a), side(b));
-    DVec2::new(
-        between_products(&sa, &sb, [a.x, b.x]),
-        between_products(&sa, &sb, [a.y, b.y]),
-    )
+    fast::clip_segment(convex, segment, &mut ())
 }
 
 /// The part of a segment in space in front of all `planes`, or `None` if there is none.
@@ -158,8 +221,8 @@ fn crossing(segment: Segment, p: DVec2, q: DVec2) -> DVec2 {
 ///
 /// - Which side an end lies on is exact. Entries and exits are compared exactly while coordinates are 0 or between
 ///   2⁻²⁵⁰ and 2²⁵⁰ in size; beyond that, two whose t differ by less than some 8ε count as one.
-/// - Ends inside are returned unchanged, others are nearest doubles to the true crossings; direction is kept,
-///   beyond those sizes to that 8ε.
+/// - Error: none: each coordinate is the double nearest to that of the exact crossing with a plane.
+/// - Ends inside are returned unchanged; direction is kept, beyond those sizes to that 8ε.
 /// - Without planes everything is inside. `None` if a number is not finite.
 ///
 /// # Pitfalls
@@ -185,106 +248,13 @@ fn crossing(segment: Segment, p: DVec2, q: DVec2) -> DVec2 {
 /// As for [`clip_segment`].
 #[must_use]
 pub fn clip_segment_3d(planes: &[Plane], segment: [DVec3; 2]) -> Option<[DVec3; 2]> {
-    clip_segment_3d_counted(planes, segment, &mut ())
+    clip_segment_3d_plain(planes, segment, &mut ())
 }
 
-/// [`clip_segment_3d`], counting its [work](crate#counted-work).
-#[must_use]
-pub fn clip_segment_3d_counted(
-    planes: &[Plane],
-    [a, b]: [DVec3; 2],
-    work: &mut impl Count,
-) -> Option<[DVec3; 2]> {
-    if !a.is_finite() || !b.is_finite() {
-        return None;
-    }
-    let (mut entry, mut exit): (Option<&Plane>, Option<&Plane>) = (None, None);
-    let later = |p: &Plane, q: &Plane, work: &mut _| {
-        Count::add(work, Counter::Multiplications, 2);
-        Count::add(work, Counter::Comparisons, 1);
-        order(p, q, a, b)
-    };
-    for plane in planes {
-        let beyond = |x: DVec3| plane.side(x).map(|side| side == Ordering::Less);
-        work.add(Counter::Multiplications, 6);
-        work.add(Counter::Comparisons, 2);
-        match (beyond(a)?, beyond(b)?) {
-            (false, false) => {}
-            (true, true) => return None,
-            (true, false) => {
-                let is_later =
-                    entry.is_none_or(|best| later(plane, best, work) == Ordering::Greater);
-                entry = if is_later { Some(plane) } else { entry };
-            }
-            (false, true) => {
-                let is_earlier = exit.is_none_or(|best| later(plane, best, work) == Ordering::Less);
-                exit = if is_earlier { Some(plane) } else { exit };
-            }
-        }
-    }
-    if let (Some(entry), Some(exit)) = (entry, exit)
-        && later(entry, exit, work) == Ordering::Greater
-    {
-        return None;
-    }
-    let mut cut = |plane: &Plane| {
-        work.add(Counter::Divisions, 1);
-        let (sa, sb) = (products(plane, a), products(plane, b));
-        let at = |k: usize| between_products(&sa, &sb, [a[k], b[k]]);
-        DVec3::new(at(0), at(1), at(2))
-    };
-    Some([entry.map_or(a, &mut cut), exit.map_or(b, &mut cut)])
-}
-
-/// n·x + d as a sum of products.
-fn products(plane: &Plane, x: DVec3) -> [[f64; 2]; 4] {
-    let n = plane.normal;
-    [[n.x, x.x], [n.y, x.y], [n.z, x.z], [plane.d, 1.0]]
-}
-
-/// Which of two planes, each with a and b on different sides, is met first on the way from a to b.
-fn order(p: &Plane, q: &Plane, a: DVec3, b: DVec3) -> Ordering {
-    // t_p < t_q  ⇔  |s_p(a)| |s_q(b)| < |s_q(a)| |s_p(b)|
-    let side = |plane: &Plane, x: DVec3| dot(plane.coefficients(), point(x));
-    let product = |(f, e): (f64, i32), (g, h): (f64, i32)| (f.abs() * g.abs(), e + h);
-    let (left, e) = product(side(p, a), side(q, b));
-    let (right, h) = product(side(q, a), side(p, b));
-    // 200 binary digits are difference enough, and keep the number in range.
-    let right = libm::scalbn(right, (h - e).clamp(-200, 200));
-    let rounded = left.partial_cmp(&right).unwrap_or(Ordering::Equal);
-    // Four values within ε and two products: 6ε of the larger.
-    let certain = (left - right).abs() > 8.0 * f64::EPSILON * left.max(right);
-    if certain {
-        return rounded;
-    }
-    let coordinates = [p.normal, q.normal, a, b]
-        .into_iter()
-        .flat_map(|v| v.to_array())
-        .chain([p.d, q.d]);
-    if !coordinates.into_iter().all(DoubleDouble::in_range) {
-        return Ordering::Equal;
-    }
-    let mut sum = Sum::default();
-    // |s| = s or −s; where s(a) is 0, s(b) is not.
-    let sign = |plane: &Plane| {
-        if side(plane, a).0 < 0.0 || side(plane, b).0 > 0.0 {
-            -1.0
-        } else {
-            1.0
-        }
-    };
-    for (first, second, turned) in [(p, q, 1.0), (q, p, -1.0)] {
-        let turned = turned * sign(p) * sign(q);
-        for [x, y] in products(first, a) {
-            let exact = DoubleDouble::product(x, y);
-            for [z, w] in products(second, b) {
-                // −: s(b) has the other sign than s(a).
-                sum.add([-turned * exact.hi, z, w]);
-                sum.add([-turned * exact.lo, z, w]);
-            }
-        }
-    }
-    sum.sign().unwrap_or(Ordering::Equal)
+/// Each gives the same answer as the function of its name and counts its [work](crate#counted-work), which comes last.
+pub mod counted {
+    pub use super::clip_segment_3d_plain as clip_segment_3d;
+    pub use super::fast::clip_segment;
 }
 
 #[cfg(test)]

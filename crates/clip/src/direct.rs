@@ -11,6 +11,65 @@ use crate::crossing::cut_in_window;
 use crate::segment::Segment;
 use crate::window::{Line, Side, Window};
 
+/// [`clip_segment`] as the slide tells it, counting its [work](crate#counted-work).
+///
+/// # Properties
+///
+/// - Error: none: each coordinate is the double nearest to the exact one.
+///
+/// # References
+///
+/// As for [`clip_segment`].
+#[must_use]
+pub fn clip_segment_plain(
+    window: &Window,
+    segment: Segment,
+    work: &mut impl Count,
+) -> Option<Segment> {
+    if !segment.is_finite() || window.is_empty() {
+        return None;
+    }
+    // Both ends inside: the whole segment is.
+    let Segment { mut a, mut b } = segment;
+    let mut inside = [window.contains(a), window.contains(b)];
+    work.add(Counter::Comparisons, 8);
+    if inside == [true, true] {
+        return Some(segment);
+    }
+    for side in Side::ALL {
+        // Not parallel to the side, and 0 < t_segm < 1: just one end lies beyond it.
+        let line = window.line(side);
+        let beyond = [
+            window.is_beyond(side, segment.a),
+            window.is_beyond(side, segment.b),
+        ];
+        work.add(Counter::Comparisons, 3);
+        if is_parallel(segment, line) || beyond[0] == beyond[1] {
+            continue;
+        }
+        // 0 ≤ t_side ≤ 1: the intersection lies within the side.
+        work.add(Counter::Divisions, 1);
+        work.add(Counter::Comparisons, 2);
+        let Some(p) = cut_in_window(window, segment, line) else {
+            continue;
+        };
+        // It replaces the end beyond the side.
+        if beyond[0] {
+            (a, inside[0]) = (p, true);
+        } else {
+            (b, inside[1]) = (p, true);
+        }
+    }
+    (inside == [true, true]).then_some(Segment { a, b })
+}
+
+fn is_parallel(Segment { a, b }: Segment, line: Line) -> bool {
+    match line {
+        Line::Vertical(_) => a.x == b.x,
+        Line::Horizontal(_) => a.y == b.y,
+    }
+}
+
 /// The part of `segment` in `window`, or `None` if there is none.
 ///
 /// # Formula
@@ -23,8 +82,9 @@ use crate::window::{Line, Side, Window};
 ///
 /// # Properties
 ///
-/// The same, bit for bit, as [`cohen_sutherland::clip_segment`](crate::cohen_sutherland::clip_segment), where the
-/// properties stand.
+/// - The same, bit for bit, as [`cohen_sutherland::clip_segment`](crate::cohen_sutherland::clip_segment), where the
+///   properties stand.
+/// - Error: none: each coordinate is the double nearest to the exact one.
 ///
 /// # Pitfalls
 ///
@@ -48,52 +108,12 @@ use crate::window::{Line, Side, Window};
 /// Grafica 3, «Clipping di un segmento», approccio diretto.
 #[must_use]
 pub fn clip_segment(window: &Window, segment: Segment) -> Option<Segment> {
-    clip_segment_counted(window, segment, &mut ())
+    clip_segment_plain(window, segment, &mut ())
 }
 
-/// [`clip_segment`], counting its [work](crate#counted-work).
-#[must_use]
-pub fn clip_segment_counted(
-    window: &Window,
-    segment: Segment,
-    work: &mut impl Count,
-) -> Option<Segment> {
-    let Segment { a, b } = segment;
-    if !segment.is_finite() || window.is_empty() {
-        return None;
-    }
-    work.add(Counter::Comparisons, 8);
-    let inside = [window.contains(a), window.contains(b)];
-    if inside == [true, true] {
-        return Some(segment);
-    }
-    let mut clipped = segment;
-    let mut reached = inside;
-    for side in Side::ALL {
-        work.add(Counter::Comparisons, 3);
-        let line = window.line(side);
-        let parallel = match line {
-            Line::Vertical(_) => a.x == b.x,
-            Line::Horizontal(_) => a.y == b.y,
-        };
-        let beyond = [window.is_beyond(side, a), window.is_beyond(side, b)];
-        // t_segm is within ]0, 1[ where just one end lies beyond the side.
-        if parallel || beyond[0] == beyond[1] {
-            continue;
-        }
-        work.add(Counter::Divisions, 1);
-        work.add(Counter::Comparisons, 2);
-        let Some(p) = cut_in_window(window, segment, line) else {
-            continue;
-        };
-        // The end beyond the side is cut off.
-        if beyond[0] {
-            (clipped.a, reached[0]) = (p, true);
-        } else {
-            (clipped.b, reached[1]) = (p, true);
-        }
-    }
-    (reached == [true, true]).then_some(clipped)
+/// Each gives the same answer as the function of its name and counts its [work](crate#counted-work), which comes last.
+pub mod counted {
+    pub use super::clip_segment_plain as clip_segment;
 }
 
 #[cfg(test)]

@@ -6,11 +6,87 @@
 
 use core::cmp::Ordering;
 
+use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
 
-use crate::crossing::{cut, order};
+use crate::crossing::cut;
 use crate::segment::Segment;
-use crate::window::{Line, Side, Window};
+use crate::window::{Side, Window};
+
+use parameter::{Difference, Parameter};
+
+mod fast;
+mod parameter;
+mod textbook;
+
+pub use textbook::textbook;
+
+/// [`clip_segment`] as the paper tells it, counting its [work](crate#counted-work).
+///
+/// # Properties
+///
+/// - The same result, bit for bit: each t is kept as the fraction q/p, and two are compared exactly.
+/// - Error: none: each coordinate is the double nearest to the exact one.
+///
+/// # References
+///
+/// As for [`clip_segment`].
+#[must_use]
+pub fn clip_segment_plain(
+    window: &Window,
+    segment: Segment,
+    work: &mut impl Count,
+) -> Option<Segment> {
+    if !segment.is_finite() || window.is_empty() {
+        return None;
+    }
+    // The whole segment: from t = 0, its end a, to t = 1, its end b.
+    let (mut t_in, mut t_out) = (Parameter::ZERO, Parameter::ONE);
+    let (mut entry, mut exit) = (None, None);
+    for side in Side::ALL {
+        let (p, q) = inequality(window, segment, side);
+        let t = Parameter::new(q, p);
+        work.add(Counter::Comparisons, 3);
+        work.add(Counter::Multiplications, 4);
+        match p.sign() {
+            // Parallel to the side: beyond it everywhere, or nowhere.
+            Ordering::Equal if q.sign() == Ordering::Less => return None,
+            Ordering::Equal => {}
+            // It enters here: the latest entry counts.
+            Ordering::Less if t > t_in => (t_in, entry) = (t, Some(side)),
+            Ordering::Less => {}
+            // It leaves here: the earliest exit counts.
+            Ordering::Greater if t < t_out => (t_out, exit) = (t, Some(side)),
+            Ordering::Greater => {}
+        }
+        // Nothing is left of what leaves before it enters.
+        if t_in > t_out {
+            return None;
+        }
+    }
+    // a + t (b − a) at both t's, rounded once.
+    let mut at = |side: Option<Side>, end: DVec2| {
+        side.map_or(end, |side| {
+            work.add(Counter::Divisions, 1);
+            cut(segment, window.line(side))
+        })
+    };
+    Some(Segment {
+        a: at(entry, segment.a),
+        b: at(exit, segment.b),
+    })
+}
+
+/// p_k and q_k of t p_k ≤ q_k: where a + t (b − a) is not beyond `side`.
+fn inequality(window: &Window, Segment { a, b }: Segment, side: Side) -> (Difference, Difference) {
+    let minus = |x, y| Difference([x, y]);
+    match side {
+        Side::Above => (minus(b.y, a.y), minus(window.max.y, a.y)),
+        Side::Below => (minus(a.y, b.y), minus(a.y, window.min.y)),
+        Side::Right => (minus(b.x, a.x), minus(window.max.x, a.x)),
+        Side::Left => (minus(a.x, b.x), minus(a.x, window.min.x)),
+    }
+}
 
 /// The part of `segment` in `window`, or `None` if there is none.
 ///
@@ -26,9 +102,10 @@ use crate::window::{Line, Side, Window};
 ///
 /// # Properties
 ///
-/// The same, bit for bit, as [`cohen_sutherland::clip_segment`](crate::cohen_sutherland::clip_segment), where the
-/// properties stand: an entry in x and an exit in y are compared exactly, as the side of the segment on which their
-/// corner lies.
+/// - The same, bit for bit, as [`cohen_sutherland::clip_segment`](crate::cohen_sutherland::clip_segment), where the
+///   properties stand: an entry in x and an exit in y are compared exactly, as the side of the segment on which their
+///   corner lies.
+/// - Error: none: each coordinate is the double nearest to the exact one.
 ///
 /// # Pitfalls
 ///
@@ -52,53 +129,12 @@ use crate::window::{Line, Side, Window};
 /// In no deck. Y.-D. Liang, B. A. Barsky, «A new concept and method for line clipping», 1984.
 #[must_use]
 pub fn clip_segment(window: &Window, segment: Segment) -> Option<Segment> {
-    clip_segment_counted(window, segment, &mut ())
+    fast::clip_segment(window, segment, &mut ())
 }
 
-/// [`clip_segment`], counting its [work](crate#counted-work).
-#[must_use]
-pub fn clip_segment_counted(
-    window: &Window,
-    segment: Segment,
-    work: &mut impl Count,
-) -> Option<Segment> {
-    let Segment { a, b } = segment;
-    if !segment.is_finite() || window.is_empty() {
-        return None;
-    }
-    let (mut entry, mut exit): (Option<Line>, Option<Line>) = (None, None);
-    for side in Side::ALL {
-        let line = window.line(side);
-        work.add(Counter::Comparisons, 2);
-        // q_k < 0 where a lies beyond the side, q_k < p_k where b does.
-        match (window.is_beyond(side, a), window.is_beyond(side, b)) {
-            (false, false) => {}
-            (true, true) => return None,
-            (true, false) => {
-                let later =
-                    entry.is_none_or(|best| order(segment, line, best, work) == Ordering::Greater);
-                entry = if later { Some(line) } else { entry };
-            }
-            (false, true) => {
-                let earlier =
-                    exit.is_none_or(|best| order(segment, line, best, work) == Ordering::Less);
-                exit = if earlier { Some(line) } else { exit };
-            }
-        }
-    }
-    if let (Some(entry), Some(exit)) = (entry, exit)
-        && order(segment, entry, exit, work) == Ordering::Greater
-    {
-        return None;
-    }
-    let mut cut_at = |line| {
-        work.add(Counter::Divisions, 1);
-        cut(segment, line)
-    };
-    Some(Segment {
-        a: entry.map_or(a, &mut cut_at),
-        b: exit.map_or(b, &mut cut_at),
-    })
+/// Each gives the same answer as the function of its name and counts its [work](crate#counted-work), which comes last.
+pub mod counted {
+    pub use super::fast::clip_segment;
 }
 
 #[cfg(test)]

@@ -61,8 +61,8 @@
 //!
 //! # Counted work
 //!
-//! What lies in a module `counted`, and a method whose name ends in `_counted`, gives the same answer and counts what it
-//! does for it, there where it does it:
+//! Each function of a module `counted` gives the same answer as the one of its name and counts what it does for it,
+//! there where it does it; so do the slides' own forms, `…_plain`, and a book's in plain doubles, `textbook`:
 //!
 //! | counter | one for each |
 //! | --- | --- |
@@ -99,6 +99,7 @@ pub mod direct;
 #[cfg(test)]
 mod extremes;
 pub mod homogeneous;
+mod interval;
 mod lanes;
 pub mod liang_barsky;
 #[cfg(test)]

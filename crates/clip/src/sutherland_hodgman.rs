@@ -5,18 +5,137 @@
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/sutherland-hodgman-steps.svg"))]
 
-use ombra_math::exact::{dot, relative};
-use ombra_math::glam::{DVec2, DVec3, DVec4};
-use ombra_math::homogeneous::{incidence, point};
-use ombra_math::plane::Plane;
+use core::cmp::Ordering;
+
+use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
 
-use crate::crossing::between_products;
+use crate::outline::{Outline, edges, is_finite};
+use crate::window::{Side, Window};
 
-mod sides;
-mod window;
+use vertex::Vertex;
 
-pub use window::{clip_polygon, clip_polygon_counted, clip_polygon_in_passes};
+mod against;
+mod fast;
+mod textbook;
+mod vertex;
+
+pub use against::{
+    HalfPlane, clip_against_line, clip_against_line_plain, clip_against_plane,
+    clip_against_plane_plain, clip_homogeneous, clip_homogeneous_plain,
+};
+pub use textbook::{textbook, textbook_f32};
+
+/// [`clip_by`] with its loop, counting its [work](crate#counted-work): that of `side` and `cut` as one comparison and one
+/// division.
+///
+/// # Properties
+///
+/// - Error: none but that of `cut`.
+///
+/// # References
+///
+/// As for [`clip_by`].
+#[must_use]
+pub fn clip_by_plain<V: Copy + PartialEq>(
+    polygon: &[V],
+    side: impl Fn(V) -> f64,
+    cut: impl Fn(V, V, f64, f64) -> V,
+    work: &mut impl Count,
+) -> Vec<V> {
+    work.add(Counter::Vertices, polygon.len() as u64);
+    work.add(Counter::Comparisons, polygon.len() as u64);
+    let sides: Vec<f64> = polygon.iter().map(|&v| side(v)).collect();
+    let Some((&last, &last_side)) = polygon.last().zip(sides.last()) else {
+        return Vec::new();
+    };
+    let none_inside = !sides.iter().any(|&s| s > 0.0);
+    if sides.iter().any(|s| s.is_nan()) || (none_inside && sides.iter().any(|&s| s < 0.0)) {
+        return Vec::new();
+    }
+    let mut kept: Vec<V> = Vec::with_capacity(polygon.len() + 2);
+    let mut put = |v: V| {
+        if kept.last() != Some(&v) {
+            kept.push(v);
+        }
+    };
+    let (mut a, mut a_side) = (last, last_side);
+    for (&b, &b_side) in polygon.iter().zip(&sides) {
+        // From one side to the other: put the crossing.
+        if a_side > 0.0 && b_side < 0.0 {
+            put(cut(a, b, a_side, b_side));
+            work.add(Counter::Divisions, 1);
+        } else if a_side < 0.0 && b_side > 0.0 {
+            put(cut(b, a, b_side, a_side));
+            work.add(Counter::Divisions, 1);
+        }
+        // In: put B.
+        if b_side >= 0.0 {
+            put(b);
+        }
+        (a, a_side) = (b, b_side);
+    }
+    while kept.len() > 1 && kept.first() == kept.last() {
+        kept.pop();
+    }
+    if kept.len() < 3 { Vec::new() } else { kept }
+}
+
+/// [`clip_polygon`] with one pass for each side, counting its [work](crate#counted-work).
+///
+/// # Properties
+///
+/// - The same result, bit for bit.
+/// - Error: none: each coordinate is the double nearest to the exact one.
+///
+/// # References
+///
+/// As for [`clip_polygon`].
+#[must_use]
+pub fn clip_polygon_plain(window: &Window, polygon: &[DVec2], work: &mut impl Count) -> Vec<DVec2> {
+    if !is_finite(polygon) || window.is_empty() {
+        return Vec::new();
+    }
+    // What one side leaves is ready for the next.
+    let mut vertices: Vec<Vertex> = edges(polygon).map(|(a, b)| Vertex::new(a, b)).collect();
+    for side in Side::ALL {
+        vertices = pass(window, side, &vertices, work);
+    }
+    let mut outline = Outline::with_capacity(vertices.len());
+    outline.points.extend(vertices.iter().map(|v| v.point));
+    outline.close(window)
+}
+
+/// What of a polygon lies on the window's side of one line.
+fn pass(window: &Window, side: Side, polygon: &[Vertex], work: &mut impl Count) -> Vec<Vertex> {
+    let mut kept: Vec<Vertex> = Vec::with_capacity(polygon.len() + 1);
+    let Some(&(mut a)) = polygon.last() else {
+        return kept;
+    };
+    let mut a_side = a.side(window, side);
+    work.add(Counter::Vertices, polygon.len() as u64);
+    work.add(Counter::Comparisons, polygon.len() as u64 + 1);
+    let mut begins_with_crossing = false;
+    for (i, &b) in polygon.iter().enumerate() {
+        let b_side = b.side(window, side);
+        // From one side to the other: put the crossing.
+        if a_side != Ordering::Equal && b_side == a_side.reverse() {
+            kept.push(a.crossing(&b, window.line(side), a_side));
+            work.add(Counter::Divisions, 1);
+            begins_with_crossing |= i == 0;
+        }
+        // In: put B.
+        if b_side != Ordering::Less {
+            kept.push(b.after(a_side, b_side));
+        }
+        (a, a_side) = (b, b_side);
+    }
+    // The crossing of the edge to the first vertex comes last.
+    if begins_with_crossing {
+        kept.rotate_left(1);
+    }
+    kept
+}
 
 /// The part of a closed polygon where `side` is not negative.
 ///
@@ -36,9 +155,11 @@ pub use window::{clip_polygon, clip_polygon_counted, clip_polygon_in_passes};
 ///
 /// # Properties
 ///
-/// Vertices keep their order; vertices that are kept are kept unchanged. `cut` always gets the inside vertex
-/// first, so that two polygons that share an edge get the same crossing. No vertex stands twice in a row. Fewer than three
-/// vertices are no polygon: the answer is then empty, as it is if any `side` is NaN.
+/// - Error: none but that of `cut`.
+/// - Vertices keep their order; vertices that are kept are kept unchanged.
+/// - `cut` always gets the inside vertex first, so that two polygons that share an edge get the same crossing.
+/// - No vertex stands twice in a row. Fewer than three vertices are no polygon: the answer is then empty, as it is if any
+///   `side` is NaN.
 ///
 /// # Pitfalls
 ///
@@ -69,308 +190,63 @@ pub fn clip_by<V: Copy + PartialEq>(
     side: impl Fn(V) -> f64,
     cut: impl Fn(V, V, f64, f64) -> V,
 ) -> Vec<V> {
-    clip_by_counted(polygon, side, cut, &mut ())
+    clip_by_plain(polygon, side, cut, &mut ())
 }
 
-/// [`clip_by`], counting its [work](crate#counted-work): that of `side` and `cut` as one comparison and one division.
-#[must_use]
-pub fn clip_by_counted<V: Copy + PartialEq>(
-    polygon: &[V],
-    side: impl Fn(V) -> f64,
-    cut: impl Fn(V, V, f64, f64) -> V,
-    work: &mut impl Count,
-) -> Vec<V> {
-    work.add(Counter::Vertices, polygon.len() as u64);
-    work.add(Counter::Comparisons, polygon.len() as u64);
-    let sides: Vec<f64> = polygon.iter().map(|&v| side(v)).collect();
-    let Some((&last, &last_side)) = polygon.last().zip(sides.last()) else {
-        return Vec::new();
-    };
-    let none_inside = !sides.iter().any(|&s| s > 0.0);
-    if sides.iter().any(|s| s.is_nan()) || (none_inside && sides.iter().any(|&s| s < 0.0)) {
-        return Vec::new();
-    }
-    let mut kept: Vec<V> = Vec::with_capacity(polygon.len() + 2);
-    let mut put = |v: V| {
-        if kept.last() != Some(&v) {
-            kept.push(v);
-        }
-    };
-    let (mut a, mut a_side) = (last, last_side);
-    for (&b, &b_side) in polygon.iter().zip(&sides) {
-        if (a_side > 0.0 && b_side < 0.0) || (a_side < 0.0 && b_side > 0.0) {
-            work.add(Counter::Divisions, 1);
-        }
-        if a_side > 0.0 && b_side < 0.0 {
-            put(cut(a, b, a_side, b_side));
-        } else if a_side < 0.0 && b_side > 0.0 {
-            put(cut(b, a, b_side, a_side));
-        }
-        if b_side >= 0.0 {
-            put(b);
-        }
-        (a, a_side) = (b, b_side);
-    }
-    while kept.len() > 1 && kept.first() == kept.last() {
-        kept.pop();
-    }
-    if kept.len() < 3 { Vec::new() } else { kept }
-}
-
-/// The points p with n·p ≥ offset.
+/// The part of a polygon in `window`, as one outline.
 ///
 /// # Formula
 ///
 /// ```text
-/// n·p = n_x x + n_y y ≥ offset          n points inside, and need not be of unit length
+/// against y ≤ y_max, what is left against y ≥ y_min, then x ≤ x_max, then x ≥ x_min
 /// ```
 ///
 /// # Properties
 ///
-/// The border n·p = offset belongs to it. With a zero normal it is the whole plane or nothing.
+/// - Error: none: each coordinate is the double nearest to the exact one.
+/// - Vertices inside are returned unchanged and in their order; new ones are crossings of the polygon's own edges with the
+///   sides, or corners of the window. So all lie in the window exactly, clipping
+///   twice changes nothing, and the area is that of the true part up to the rounding of its vertices.
+/// - Which vertices and crossings lie inside is decided exactly.
+/// - No vertex follows itself; fewer than three are no polygon, nor are points along one side: the answer is empty.
+///   So it is for a polygon that only touches the window, for one with a coordinate that is not finite, and for a
+///   window without area.
+/// - Self-intersecting input: every point inside the window keeps its winding number.
+///
+/// # Pitfalls
+///
+/// A concave polygon that falls into pieces comes out as one, its pieces joined by edges along the border that run back
+/// and forth; [`pieces`](crate::pieces) gives separate ones. Such an edge has no area, but is drawn by an outline.
 ///
 /// # Examples
 ///
 /// ```
-/// use ombra_clip::sutherland_hodgman::HalfPlane;
+/// use ombra_clip::{Window, sutherland_hodgman};
 /// use ombra_math::glam::DVec2;
 ///
-/// // x ≤ 10
-/// let left_of_10 = HalfPlane { normal: -DVec2::X, offset: -10.0 };
-/// assert!(left_of_10.contains(DVec2::new(10.0, 3.0)));
-/// assert!(!left_of_10.contains(DVec2::new(10.000001, 3.0)));
+/// let window = Window::new(DVec2::ZERO, DVec2::splat(10.0))?;
+/// let triangle = [(5.0, 5.0), (15.0, 5.0), (5.0, 15.0)].map(DVec2::from);
+/// let square = [(5.0, 5.0), (10.0, 5.0), (10.0, 10.0), (5.0, 10.0)].map(DVec2::from);
+/// assert_eq!(sutherland_hodgman::clip_polygon(&window, &triangle), square);
+/// # Ok::<(), ombra_clip::WindowError>(())
 /// ```
 ///
 /// # References
 ///
-/// Grafica 3, «Clipping di un poligono»: the polygon against one line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HalfPlane {
-    /// n, towards the inside.
-    pub normal: DVec2,
-    /// n·Q for a point Q of the line.
-    pub offset: f64,
-}
-
-impl HalfPlane {
-    /// Whether n·p ≥ offset: exact, and never for NaN or ∞.
-    #[must_use]
-    pub fn contains(&self, p: DVec2) -> bool {
-        self.side(p) >= 0.0
-    }
-
-    /// A number with the sign of n·p − offset; NaN if a coordinate is not finite.
-    fn side(&self, p: DVec2) -> f64 {
-        let (normal, offset) = (self.normal, self.offset);
-        let line = DVec4::new(normal.x, normal.y, offset, 0.0);
-        dot(line, DVec4::new(p.x, p.y, -1.0, 0.0)).0
-    }
-
-    /// n·p − offset as a sum of products.
-    fn products(&self, p: DVec2) -> [[f64; 2]; 3] {
-        [
-            [self.normal.x, p.x],
-            [self.normal.y, p.y],
-            [self.offset, -1.0],
-        ]
-    }
-}
-
-/// The part of a polygon on one side of a line.
-///
-/// # Formula
-///
-/// ```text
-/// inside: n·p ≥ offset          crossing: p = (s_A B − s_B A) / (s_A − s_B),  s = n·p − offset
-/// ```
-///
-/// # Properties
-///
-/// Which side a vertex lies on is exact; both coordinates of a crossing are nearest doubles, so for an upright or
-/// level line crossings lie on it exactly. Vertices inside are kept unchanged and in order. Empty where nothing but an
-/// edge or a vertex is left, or a number is not finite.
-///
-/// # Pitfalls
-///
-/// See [`clip_by`] for concave polygons. For a line at an angle the nearest double may lie beyond it, by rounding of
-/// its coordinates: no double may lie on it at all.
-///
-/// # Examples
-///
-/// ```
-/// use ombra_clip::sutherland_hodgman::{HalfPlane, clip_against_line};
-/// use ombra_math::glam::DVec2;
-///
-/// let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)].map(DVec2::from);
-/// let below_diagonal = HalfPlane { normal: DVec2::new(-1.0, -1.0), offset: -4.0 }; // x + y ≤ 4
-/// let half = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(DVec2::from);
-/// assert_eq!(clip_against_line(&square, below_diagonal), half);
-/// ```
-///
-/// # References
-///
-/// Grafica 3, «Clipping di un poligono».
+/// Grafica 3, «Clipping di un poligono». I. E. Sutherland, G. W. Hodgman, «Reentrant polygon clipping», 1974: the fast
+/// form passes each vertex through all four sides at once, as they do.
 #[must_use]
-pub fn clip_against_line(polygon: &[DVec2], half: HalfPlane) -> Vec<DVec2> {
-    clip_against_line_counted(polygon, half, &mut ())
+pub fn clip_polygon(window: &Window, polygon: &[DVec2]) -> Vec<DVec2> {
+    fast::clip_polygon(window, polygon, &mut ())
 }
 
-/// [`clip_against_line`], counting its [work](crate#counted-work).
-#[must_use]
-pub fn clip_against_line_counted(
-    polygon: &[DVec2],
-    half: HalfPlane,
-    work: &mut impl Count,
-) -> Vec<DVec2> {
-    work.add(Counter::Multiplications, 2 * polygon.len() as u64);
-    clip_by_counted(
-        polygon,
-        |p| half.side(p),
-        |a, b, _, _| {
-            let (sa, sb) = (half.products(a), half.products(b));
-            DVec2::new(
-                between_products(&sa, &sb, [a.x, b.x]),
-                between_products(&sa, &sb, [a.y, b.y]),
-            )
-        },
-        work,
-    )
-}
-
-/// The part of a polygon in space that lies in front of `plane` or on it.
-///
-/// # Formula
-///
-/// ```text
-/// inside: n·X + d ≥ 0          crossing: X = A + t (B − A),  t = s_A / (s_A − s_B)
-/// ```
-///
-/// # Properties
-///
-/// Which side a vertex lies on is exact. A crossing is within 4ε of the larger of the two ends' coordinates, in the box
-/// round its edge, and equal for both directions of the edge.
-/// Empty where nothing but an edge or a vertex is left, or a coordinate is not finite. A normal of 0 is no plane: all is
-/// inside for d ≥ 0, nothing for d < 0.
-///
-/// # Pitfalls
-///
-/// See [`clip_by`] for concave polygons.
-///
-/// # Examples
-///
-/// ```
-/// use ombra_clip::sutherland_hodgman::clip_against_plane;
-/// use ombra_math::glam::DVec3;
-/// use ombra_math::plane::Plane;
-///
-/// let wall = [DVec3::new(0.0, -1.0, 0.0), DVec3::new(4.0, -1.0, 0.0), DVec3::new(4.0, 3.0, 0.0)];
-/// let above = clip_against_plane(&wall, &Plane::GROUND);
-/// assert_eq!(above, [DVec3::new(1.0, 0.0, 0.0), DVec3::new(4.0, 0.0, 0.0), DVec3::new(4.0, 3.0, 0.0)]);
-/// ```
-///
-/// # References
-///
-/// Grafica 3, «Clipping di un poligono»; Croatian 8.4, projected shadows (an object behind the plane).
-#[must_use]
-pub fn clip_against_plane(polygon: &[DVec3], plane: &Plane) -> Vec<DVec3> {
-    clip_against_plane_counted(polygon, plane, &mut ())
-}
-
-/// [`clip_against_plane`], counting its [work](crate#counted-work).
-#[must_use]
-pub fn clip_against_plane_counted(
-    polygon: &[DVec3],
-    plane: &Plane,
-    work: &mut impl Count,
-) -> Vec<DVec3> {
-    work.add(Counter::Multiplications, 3 * polygon.len() as u64);
-    let scaled: Vec<_> = polygon
-        .iter()
-        .map(|&v| dot(plane.coefficients(), point(v)))
-        .collect();
-    let sides = relative(&scaled);
-    let vertices: Vec<_> = polygon.iter().copied().zip(sides).collect();
-    let clipped = clip_by_counted(
-        &vertices,
-        |(_, side)| side,
-        |(a, _), (b, _), sa, sb| {
-            let [wa, wb] = weights(sa, sb);
-            // Rounding may not leave the edge's box.
-            ((a * wa + b * wb).max(a.min(b)).min(a.max(b)), 0.0)
-        },
-        work,
-    );
-    clipped.into_iter().map(|(v, _)| v).collect()
-}
-
-/// The part of a homogeneous polygon where π·P ≥ 0.
-///
-/// # Formula
-///
-/// ```text
-/// inside: π·P ≥ 0          crossing: P = (s_A B − s_B A) / (s_A − s_B)
-/// ```
-///
-/// # Properties
-///
-/// Needs no division by w, so points at infinity (w = 0) and behind the eye (w < 0) are clipped like any other.
-/// Sides are exact, except that values below the smallest double count as 0; values beyond the largest count as
-/// the largest, and the crossing beside them is rough. Empty where nothing but an edge or a vertex is left, or a
-/// coordinate is not finite.
-///
-/// # Pitfalls
-///
-/// Clip against w ≥ 0 before dividing: a polygon with w of both signs turns inside out.
-///
-/// # Examples
-///
-/// The wedge between two parallel edges that run to infinity, cut at x ≤ 5:
-///
-/// ```
-/// use ombra_clip::sutherland_hodgman::clip_homogeneous;
-/// use ombra_math::glam::DVec4;
-///
-/// let strip = [
-///     DVec4::new(0.0, 0.0, 0.0, 1.0),
-///     DVec4::new(1.0, 0.0, 0.0, 0.0), // the direction +x
-///     DVec4::new(0.0, 0.0, 2.0, 1.0),
-/// ];
-/// let cut = clip_homogeneous(&strip, DVec4::new(-1.0, 0.0, 0.0, 5.0));
-/// let places: Vec<_> = cut.iter().map(|p| *p / p.w).collect();
-/// assert_eq!(places[1], DVec4::new(5.0, 0.0, 0.0, 1.0));
-/// assert_eq!(places[2], DVec4::new(5.0, 0.0, 2.0, 1.0));
-/// ```
-///
-/// # References
-///
-/// CIS 781, «Avoiding far plane clipping»; Grafica 3, «Clipping di un poligono». J. F. Blinn, M. E. Newell,
-/// «Clipping using homogeneous coordinates», 1978.
-#[must_use]
-pub fn clip_homogeneous(polygon: &[DVec4], plane: DVec4) -> Vec<DVec4> {
-    clip_homogeneous_counted(polygon, plane, &mut ())
-}
-
-/// [`clip_homogeneous`], counting its [work](crate#counted-work): four multiplications for π·P.
-#[must_use]
-pub fn clip_homogeneous_counted(
-    polygon: &[DVec4],
-    plane: DVec4,
-    work: &mut impl Count,
-) -> Vec<DVec4> {
-    work.add(Counter::Multiplications, 4 * polygon.len() as u64);
-    let side = |p| incidence(plane, p).clamp(-f64::MAX, f64::MAX);
-    let cut = |a, b, sa: f64, sb: f64| {
-        // Any multiple will do: the power of two that keeps the weights below ½ costs no digit.
-        let exponent = -libm::ilogb(sa.max(-sb)) - 2;
-        b * libm::scalbn(sa, exponent) - a * libm::scalbn(sb, exponent)
-    };
-    clip_by_counted(polygon, side, cut, work)
-}
-
-/// The shares of the inside and the outside vertex in the crossing, from s_in > 0 > s_out below 2.
-fn weights(s_in: f64, s_out: f64) -> [f64; 2] {
-    let length = s_in - s_out;
-    [-s_out / length, s_in / length]
+/// Each gives the same answer as the function of its name and counts its [work](crate#counted-work), which comes last.
+pub mod counted {
+    pub use super::against::clip_against_line_plain as clip_against_line;
+    pub use super::against::clip_against_plane_plain as clip_against_plane;
+    pub use super::against::clip_homogeneous_plain as clip_homogeneous;
+    pub use super::clip_by_plain as clip_by;
+    pub use super::fast::clip_polygon;
 }
 
 #[cfg(test)]

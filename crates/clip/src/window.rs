@@ -170,6 +170,10 @@ impl Window {
     }
 
     /// The four corners, counter-clockwise from `min`.
+    ///
+    /// # Properties
+    ///
+    /// - Error: none: coordinates of `min` and `max` as they are.
     #[must_use]
     pub const fn corners(&self) -> [DVec2; 4] {
         [

@@ -25,7 +25,7 @@
 //! # Techniques
 //!
 //! - `Sutherland–Hodgman` (the baseline): [`clip_polygon`](ombra_clip::sutherland_hodgman::clip_polygon), in one pass.
-//! - `in four passes`: its plain form, [`clip_polygon_in_passes`](ombra_clip::sutherland_hodgman::clip_polygon_in_passes),
+//! - `in four passes`: its plain form, [`clip_polygon_plain`](ombra_clip::sutherland_hodgman::clip_polygon_plain),
 //!   which gives the same answer.
 //! - `pieces`: [`pieces::clip_polygon`]. The others leave what falls apart joined by
 //!   edges along the border, which have no area: no error shows that, but an outline drawn does.
@@ -34,7 +34,6 @@
 
 mod advice;
 mod polygons;
-mod textbook;
 
 use std::rc::Rc;
 
@@ -111,17 +110,15 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndPolygons>) -> Question {
                 k,
                 scene,
                 |s| s.each(|p| sutherland_hodgman::clip_polygon(&s.window, p)),
-                |s, work| s.each(|p| sutherland_hodgman::clip_polygon_counted(&s.window, p, work)),
+                |s, work| s.each(|p| sutherland_hodgman::counted::clip_polygon(&s.window, p, work)),
                 |s, outlines| s.verdict(outlines),
             ),
             Case::new(
                 "in four passes",
                 k,
                 scene,
-                |s| s.each(|p| sutherland_hodgman::clip_polygon_in_passes(&s.window, p, &mut ())),
-                |s, work| {
-                    s.each(|p| sutherland_hodgman::clip_polygon_in_passes(&s.window, p, work))
-                },
+                |s| s.each(|p| sutherland_hodgman::clip_polygon_plain(&s.window, p, &mut ())),
+                |s, work| s.each(|p| sutherland_hodgman::clip_polygon_plain(&s.window, p, work)),
                 |s, outlines| s.verdict(outlines),
             ),
             Case::new(
@@ -129,23 +126,23 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndPolygons>) -> Question {
                 k,
                 scene,
                 |s| s.each(|p| pieces::clip_polygon(&s.window, p)),
-                |s, work| s.each(|p| pieces::clip_polygon_counted(&s.window, p, work)),
+                |s, work| s.each(|p| pieces::counted::clip_polygon(&s.window, p, work)),
                 |s, outlines| s.verdict_of_pieces(outlines),
             ),
             Case::new(
                 "textbook f64",
                 k,
                 scene,
-                |s| s.each(|p| textbook::in_f64(&s.window, p, &mut ())),
-                |s, work| s.each(|p| textbook::in_f64(&s.window, p, work)),
+                |s| s.each(|p| sutherland_hodgman::textbook(&s.window, p, &mut ())),
+                |s, work| s.each(|p| sutherland_hodgman::textbook(&s.window, p, work)),
                 |s, outlines| s.verdict(outlines),
             ),
             Case::new(
                 "textbook f32",
                 k,
                 scene,
-                |s| s.each_f32(|p| textbook::in_f32(&s.window, p, &mut ())),
-                |s, work| s.each_f32(|p| textbook::in_f32(&s.window, p, work)),
+                |s| s.each_f32(|p| sutherland_hodgman::textbook_f32(&s.window, p, &mut ())),
+                |s, work| s.each_f32(|p| sutherland_hodgman::textbook_f32(&s.window, p, work)),
                 |s, outlines| s.verdict_f32(outlines),
             ),
         ],

@@ -30,7 +30,6 @@
 
 mod advice;
 mod segments;
-mod textbook;
 
 use std::rc::Rc;
 
@@ -105,7 +104,7 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndSegments>) -> Question {
                 k,
                 scene,
                 |s| s.each(|segment| direct::clip_segment(&s.window, segment)),
-                |s, work| s.each(|segment| direct::clip_segment_counted(&s.window, segment, work)),
+                |s, work| s.each(|segment| direct::counted::clip_segment(&s.window, segment, work)),
                 judge,
             ),
             Case::new(
@@ -115,7 +114,7 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndSegments>) -> Question {
                 |s| s.each(|segment| cohen_sutherland::clip_segment(&s.window, segment)),
                 |s, work| {
                     s.each(|segment| {
-                        cohen_sutherland::clip_segment_counted(&s.window, segment, work)
+                        cohen_sutherland::counted::clip_segment(&s.window, segment, work)
                     })
                 },
                 judge,
@@ -126,7 +125,7 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndSegments>) -> Question {
                 scene,
                 |s| s.each(|segment| liang_barsky::clip_segment(&s.window, segment)),
                 |s, work| {
-                    s.each(|segment| liang_barsky::clip_segment_counted(&s.window, segment, work))
+                    s.each(|segment| liang_barsky::counted::clip_segment(&s.window, segment, work))
                 },
                 judge,
             ),
@@ -136,7 +135,7 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndSegments>) -> Question {
                 scene,
                 |s| s.each(|segment| cyrus_beck::clip_segment(&s.corners, segment)),
                 |s, work| {
-                    s.each(|segment| cyrus_beck::clip_segment_counted(&s.corners, segment, work))
+                    s.each(|segment| cyrus_beck::counted::clip_segment(&s.corners, segment, work))
                 },
                 judge,
             ),
@@ -144,16 +143,16 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndSegments>) -> Question {
                 "textbook C–S",
                 k,
                 scene,
-                |s| s.each(|segment| textbook::cohen_sutherland(&s.window, segment, &mut ())),
-                |s, work| s.each(|segment| textbook::cohen_sutherland(&s.window, segment, work)),
+                |s| s.each(|segment| cohen_sutherland::textbook(&s.window, segment, &mut ())),
+                |s, work| s.each(|segment| cohen_sutherland::textbook(&s.window, segment, work)),
                 judge,
             ),
             Case::new(
                 "textbook L–B",
                 k,
                 scene,
-                |s| s.each(|segment| textbook::liang_barsky(&s.window, segment, &mut ())),
-                |s, work| s.each(|segment| textbook::liang_barsky(&s.window, segment, work)),
+                |s| s.each(|segment| liang_barsky::textbook(&s.window, segment, &mut ())),
+                |s, work| s.each(|segment| liang_barsky::textbook(&s.window, segment, work)),
                 judge,
             ),
         ],

@@ -9,9 +9,14 @@ use proptest::prelude::*;
 fn clip(window: &Window, s: Segment) -> Option<Segment> {
     let answers = [
         clip_segment(window, s),
-        clip_segment_in_steps(window, s, &mut ()),
+        clip_segment_plain(window, s, &mut ()),
         direct::clip_segment(window, s),
         liang_barsky::clip_segment(window, s),
+        liang_barsky::clip_segment_plain(window, s, &mut ()),
+        trace(window, s)
+            .last()
+            .filter(|step| step.decision == Decision::Accept)
+            .map(|step| step.segment),
     ];
     let bits = |s: Option<Segment>| s.map(|s| [s.a.x, s.a.y, s.b.x, s.b.y].map(f64::to_bits));
     for other in answers {
@@ -106,10 +111,10 @@ fn counts_its_work() {
     let count = |s| {
         let w = lecture();
         let [mut fast, mut steps, mut direct, mut by_t] = [Work::default(); 4];
-        let _ = clip_segment_counted(&w, s, &mut fast);
-        let _ = clip_segment_in_steps(&w, s, &mut steps);
-        let _ = direct::clip_segment_counted(&w, s, &mut direct);
-        let _ = liang_barsky::clip_segment_counted(&w, s, &mut by_t);
+        let _ = counted::clip_segment(&w, s, &mut fast);
+        let _ = clip_segment_plain(&w, s, &mut steps);
+        let _ = direct::counted::clip_segment(&w, s, &mut direct);
+        let _ = liang_barsky::counted::clip_segment(&w, s, &mut by_t);
         [fast, steps, direct, by_t].map(|w| (w.divisions, w.comparisons, w.multiplications))
     };
     // Inside, all codes or inequalities and nothing else; so beyond one side, but for the direct method.
@@ -132,6 +137,73 @@ fn counts_its_work() {
     assert_eq!(
         count(segment((-5.0, -5.0), (15.0, 16.0))),
         [(2, 16, 4), (3, 14, 0), (4, 28, 0), (2, 11, 6)]
+    );
+}
+
+#[test]
+fn the_textbooks_forms_round() {
+    let w = lecture();
+    let both = |s| {
+        [
+            textbook(&w, s, &mut ()),
+            liang_barsky::textbook(&w, s, &mut ()),
+        ]
+    };
+    for (s, left) in [
+        (
+            segment((2.0, 14.0), (8.0, -4.0)),
+            Some(segment((10.0 / 3.0, 10.0), (20.0 / 3.0, 0.0))),
+        ),
+        (segment((4.0, 14.0), (14.0, 8.0)), None),
+        (
+            segment((-5.0, 5.0), (15.0, 5.0)),
+            Some(segment((0.0, 5.0), (10.0, 5.0))),
+        ),
+        (
+            segment((1.0, 2.0), (3.0, 4.0)),
+            Some(segment((1.0, 2.0), (3.0, 4.0))),
+        ),
+        (segment((-1.0, 12.0), (11.0, 12.0)), None),
+    ] {
+        for answer in both(s) {
+            assert_eq!(answer.is_some(), left.is_some(), "{s:?}");
+            if let (Some(answer), Some(left)) = (answer, left) {
+                // A few roundings of numbers below 16.
+                let off = (answer.a - left.a).abs().max((answer.b - left.b).abs());
+                assert!(off.max_element() <= 16.0 * f64::EPSILON * 4.0, "{answer:?}");
+            }
+        }
+    }
+    // What their pages tell.
+    let far = segment((-1e12, 1.0 - 1e12), (1e12, 1e12));
+    let [steps, _] = both(far);
+    assert_eq!(clip(&w, far).unwrap().a, DVec2::new(0.0, 0.5));
+    assert!((steps.unwrap().a.y - 0.49988).abs() < 5e-6, "{steps:?}");
+    let far = segment((-3e12, 3.0 - 1e12), (3e12, 3.0 + 1e12));
+    let [_, by_t] = both(far);
+    assert_eq!(clip(&w, far).unwrap().b, DVec2::new(10.0, 19.0 / 3.0));
+    assert!((by_t.unwrap().b.y - 6.33337).abs() < 5e-6, "{by_t:?}");
+    let beside = segment((-0.1, 9.5), (0.225, 11.125));
+    assert_eq!(clip(&w, beside), None);
+    assert!(both(beside).iter().all(Option::is_some));
+}
+
+#[test]
+fn the_textbooks_count_alike() {
+    let count = |s| {
+        let [mut steps, mut by_t] = [Work::default(); 2];
+        let _ = textbook(&lecture(), s, &mut steps);
+        let _ = liang_barsky::textbook(&lecture(), s, &mut by_t);
+        [steps, by_t].map(|w| [w.divisions, w.comparisons, w.multiplications, w.additions])
+    };
+    // Two codes; then a crossing and its code for each end. Four sides; then a point for each end.
+    assert_eq!(
+        count(segment((2.0, 14.0), (8.0, -4.0))),
+        [[2, 8 + 2 * 4, 2, 2 * 4], [4, 4 * 3, 2 * 2, 2 + 4 + 2 * 2]]
+    );
+    assert_eq!(
+        count(segment((1.0, 2.0), (3.0, 4.0))),
+        [[0, 8, 0, 0], [4, 12, 0, 6]]
     );
 }
 
@@ -159,6 +231,22 @@ proptest! {
     }
 
     #[test]
+    fn every_cut_is_at_the_nearest_double((w, s) in window_and_segment()) {
+        let steps = trace(&w, s);
+        for (before, after) in steps.iter().zip(steps.iter().skip(1)) {
+            let Decision::Cut { side, replaces_a } = before.decision else {
+                return Err(TestCaseError::fail("a step after the last"));
+            };
+            let p = if replaces_a { after.segment.a } else { after.segment.b };
+            let across = match w.line(side) {
+                Line::Vertical(x) => (p.x == x, crate::crossing::at_x(s, x) == Some(p.y)),
+                Line::Horizontal(y) => (p.y == y, crate::crossing::at_y(s, y) == Some(p.x)),
+            };
+            prop_assert_eq!(across, (true, true));
+        }
+    }
+
+    #[test]
     fn codes_and_inequalities_agree((w, s) in window_and_segment()) {
         prop_assert_eq!(outcode(&w, s.a).is_inside(), w.contains(s.a));
         for side in Side::ALL {
@@ -175,6 +263,7 @@ proptest! {
                 prop_assert!(w.contains(clipped.a) && w.contains(clipped.b));
             }
             prop_assert_eq!(outcode(&w, s.a).is_inside(), w.contains(s.a));
+            let _ = (textbook(&w, s, &mut ()), liang_barsky::textbook(&w, s, &mut ()));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use ombra_math::glam::DVec2;
 
-use crate::crossing::{at_carefully, several_at};
+use super::fast::{at_carefully, several_at};
 use crate::segment::Segment;
 use crate::window::Line;
 

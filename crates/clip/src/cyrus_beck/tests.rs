@@ -1,6 +1,7 @@
 use super::*;
 use crate::oracle::{self, R, beside, int, is_nearest, r, window_and_segment};
 use crate::{Window, liang_barsky};
+use ombra_math::double_double::DoubleDouble;
 use proptest::prelude::*;
 
 fn segment(a: (f64, f64), b: (f64, f64)) -> Segment {
@@ -58,6 +59,11 @@ fn degenerate() {
     ];
     for (s, expected) in cases {
         assert_eq!(clip_segment(&triangle, s), expected, "{s:?}");
+        let in_range = s.a.x.abs() < f64::MAX;
+        assert!(
+            !in_range || clip_segment_plain(&triangle, s, &mut ()) == expected,
+            "{s:?}"
+        );
     }
     let s = segment((1.0, 1.0), (2.0, 1.0));
     for flat in [
@@ -67,10 +73,12 @@ fn degenerate() {
         &[DVec2::ONE; 5],
     ] {
         assert_eq!(clip_segment(flat, s), None);
+        assert_eq!(clip_segment_plain(flat, s, &mut ()), None);
     }
     for bad in [f64::NAN, f64::INFINITY] {
         let spoilt = [triangle[0], triangle[1], DVec2::new(0.0, bad)];
         assert_eq!(clip_segment(&spoilt, s), None);
+        assert_eq!(clip_segment_plain(&spoilt, s, &mut ()), None);
         assert_eq!(
             clip_segment(&triangle, segment((bad, 1.0), (2.0, 1.0))),
             None
@@ -99,7 +107,7 @@ fn degenerate() {
 fn counts_intersections() {
     let mut work = ombra_math::work::Work::default();
     let triangle = [(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)].map(DVec2::from);
-    let _ = clip_segment_counted(&triangle, segment((-1.0, 3.0), (10.0, 3.0)), &mut work);
+    let _ = counted::clip_segment(&triangle, segment((-1.0, 3.0), (10.0, 3.0)), &mut work);
     assert_eq!(work.divisions, 2);
 }
 
@@ -157,6 +165,8 @@ proptest! {
         })).collect();
         let expected = oracle::interval(&sides);
         let clipped = clip_segment(&polygon, s);
+        let in_range = [a.x, a.y, b.x, b.y].into_iter().all(DoubleDouble::in_range);
+        prop_assert!(!in_range || clip_segment_plain(&polygon, s, &mut ()) == clipped);
         prop_assert_eq!(clipped.is_some(), expected.is_some());
         if let (Some(clipped), Some(t)) = (clipped, expected) {
             for (p, t) in [clipped.a, clipped.b].iter().zip(&t) {
@@ -197,6 +207,7 @@ proptest! {
     fn never_panics(x in prop::collection::vec(proptest::num::f64::ANY, 16), n in 0usize..7) {
         let p: Vec<DVec2> = x.chunks_exact(2).map(DVec2::from_slice).collect();
         let _ = clip_segment(&p[..n], Segment::new(p[6], p[7]));
+        let _ = clip_segment_plain(&p[..n], Segment::new(p[6], p[7]), &mut ());
         let v: Vec<DVec3> = x.chunks_exact(3).map(DVec3::from_slice).collect();
         let planes = [Plane { normal: v[0], d: x[15] }, Plane { normal: v[1], d: x[0] }, Plane { normal: v[2], d: x[1] }];
         let _ = clip_segment_3d(&planes, [v[3], v[4]]);

@@ -11,7 +11,7 @@ fn degenerate() {
 fn parallel_sides_are_not_intersected() {
     let count = |s| {
         let mut work = Work::default();
-        let _ = clip_segment_counted(&lecture(), s, &mut work);
+        let _ = counted::clip_segment(&lecture(), s, &mut work);
         work.divisions
     };
     assert_eq!(count(segment((-5.0, 5.0), (15.0, 5.0))), 2);

@@ -5,6 +5,30 @@ use ombra_math::view::frustum;
 use ombra_math::work::Work;
 use proptest::prelude::*;
 
+/// Both forms, which must agree.
+fn clip_polygon<const N: usize>(polygon: &[Vertex<N>]) -> Vec<Vertex<N>> {
+    clip_polygon_to(polygon, &ViewPlane::ALL)
+}
+
+fn clip_polygon_to<const N: usize>(polygon: &[Vertex<N>], planes: &[ViewPlane]) -> Vec<Vertex<N>> {
+    let fast = super::clip_polygon_to(polygon, planes);
+    let plain = clip_polygon_to_plain(polygon, planes, &mut ());
+    let bits = |polygon: &[Vertex<N>]| -> Vec<_> {
+        let bits = |v: &Vertex<N>| {
+            (
+                v.position.to_array().map(f64::to_bits),
+                v.attributes.map(f64::to_bits),
+            )
+        };
+        polygon.iter().map(bits).collect()
+    };
+    assert_eq!(bits(&fast), bits(&plain), "{polygon:?} {planes:?}");
+    if planes == ViewPlane::ALL {
+        assert_eq!(bits(&super::clip_polygon(polygon)), bits(&plain));
+    }
+    fast
+}
+
 fn v(x: f64, y: f64, z: f64, w: f64) -> DVec4 {
     DVec4::new(x, y, z, w)
 }
@@ -134,7 +158,7 @@ fn vertex() -> impl Strategy<Value = Vertex<2>> {
 fn counts_its_work() {
     let count = |a, b| {
         let mut work = Work::default();
-        let answer = clip_segment_counted([a, b], &mut work);
+        let answer = counted::clip_segment([a, b], &mut work);
         assert_eq!(answer, clip_segment([a, b]));
         [work.comparisons, work.multiplications, work.divisions]
     };
@@ -164,7 +188,7 @@ fn counts_its_work() {
     let triangle = [corner(0.0, 0.0), corner(2.0, 0.0), corner(0.0, 0.5)];
     let mut work = Work::default();
     assert_eq!(
-        clip_polygon_counted(&triangle, &mut work),
+        counted::clip_polygon(&triangle, &mut work),
         clip_polygon(&triangle)
     );
     // Three corners at near, far, left and right, four below and above. At the right the second is found outside, then all
@@ -174,12 +198,41 @@ fn counts_its_work() {
         (4 * 3 + 2 * 4, 20 + 2, 2)
     );
     let mut work = Work::default();
-    let _ = clip_polygon_to_counted(&triangle, &[ViewPlane::Near], &mut work);
+    let _ = counted::clip_polygon_to(&triangle, &[ViewPlane::Near], &mut work);
     assert_eq!((work.vertices, work.comparisons, work.divisions), (3, 3, 0));
 }
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(3000))]
+
+    #[test]
+    fn corners_are_nearest_doubles(positions in prop::collection::vec(position(), 3..7), attributes in prop::array::uniform7(number())) {
+        let polygon: Vec<Vertex<1>> = positions
+            .iter()
+            .zip(attributes)
+            .map(|(&position, x)| Vertex { position, attributes: [x] })
+            .collect();
+        prop_assume!(positions.iter().all(|&p| p != DVec4::ZERO));
+        for plane in ViewPlane::ALL {
+            let side = |v: &Vertex<1>| {
+                let [w, x] = plane.terms(v.position);
+                r(w) + r(x)
+            };
+            let next = polygon.iter().cycle().skip(1);
+            let is_crossing = |v: &Vertex<1>| polygon.iter().zip(next.clone()).any(|(a, b)| {
+                let (sa, sb) = (side(a), side(b));
+                if &sa * &sb >= int(0) {
+                    return false;
+                }
+                let t = &sa / (&sa - &sb);
+                (0..4).all(|k| is_nearest(v.position[k], &oracle::at(&t, a.position[k], b.position[k])))
+                    && is_nearest(v.attributes[0], &oracle::at(&t, a.attributes[0], b.attributes[0]))
+            });
+            for v in clip_polygon_to(&polygon, &[plane]) {
+                prop_assert!(polygon.contains(&v) || is_crossing(&v), "{:?} {:?}", plane, v);
+            }
+        }
+    }
 
     #[test]
     fn segments_are_nearest_doubles(a in position(), b in position(), through in prop::array::uniform3(-1i32..2), i in -2i64..3, kind in 0u8..3) {

@@ -11,7 +11,7 @@ fn degenerate() {
 fn only_what_is_left_is_intersected() {
     let count = |s| {
         let mut work = Work::default();
-        let _ = clip_segment_counted(&lecture(), s, &mut work);
+        let _ = counted::clip_segment(&lecture(), s, &mut work);
         [work.divisions, work.multiplications]
     };
     // Entry and exit are parallel sides, their t compared without a product; then sides at an angle.

@@ -1,5 +1,6 @@
 use super::*;
 use crate::oracle::{self, absolute, area, int, r, small_window, winding};
+use crate::outline::edges;
 use proptest::prelude::*;
 
 fn points<const N: usize>(p: [(f64, f64); N]) -> Vec<DVec2> {
@@ -295,6 +296,16 @@ proptest! {
         // Up to 4 crossings an edge, each off by half an ulp of 8 in x and y, times twice the window's size, twice.
         let bound = r(2.0 * 14.0 * 4.0 * f64::EPSILON * 4.0 * 2.0 * 12.0);
         prop_assert!(absolute(one - sum) <= bound);
+    }
+
+    /// Those of the one outline, which are the nearest doubles to the true ones, and corners.
+    #[test]
+    fn vertices_are_those_of_one_outline(polygon in oracle::polygon()) {
+        let w = small_window();
+        let outline = crate::sutherland_hodgman::clip_polygon(&w, &polygon);
+        for p in check(&w, &polygon)?.concat() {
+            prop_assert!(outline.contains(&p) || w.corners().contains(&p), "{} {:?}", p, &outline);
+        }
     }
 
     #[test]

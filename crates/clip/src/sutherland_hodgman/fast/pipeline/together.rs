@@ -5,15 +5,15 @@ use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
 
 use super::block::{EDGES, Lines, Regions, Room, Vertices};
-use super::{ABOVE, ABOVE_OR_BELOW, Point, RIGHT_OR_LEFT, Sides};
+use super::{ABOVE, ABOVE_OR_BELOW, Pipeline, Point, RIGHT_OR_LEFT};
 use crate::cohen_sutherland::{Outcode, outcode};
 
-impl Sides<'_> {
+impl Pipeline<'_> {
     /// Follows the polygon from its first vertex on, of the region `code`, block by block. The answer is where that
     /// ends: the region of a vertex, with this vertex and those after it, too few for a block; or `None` if a coordinate
     /// is not finite.
     #[inline(always)]
-    pub(in crate::sutherland_hodgman) fn blocks<'p, S: Simd>(
+    pub(in crate::sutherland_hodgman::fast) fn blocks<'p, S: Simd>(
         &mut self,
         simd: S,
         mut code: Outcode,

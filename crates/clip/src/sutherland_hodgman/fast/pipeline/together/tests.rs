@@ -1,8 +1,8 @@
 use super::*;
 use crate::extremes::lecture;
 use crate::oracle::{beside, polygon, small_window};
-use crate::sutherland_hodgman::clip_polygon_in_passes;
-use crate::sutherland_hodgman::window::clip_at;
+use crate::sutherland_hodgman::clip_polygon_plain;
+use crate::sutherland_hodgman::fast::clip_at;
 use crate::window::Window;
 use fearless_simd::{Fallback, Level, dispatch};
 use ombra_math::work::Work;
@@ -29,7 +29,7 @@ fn clip<S: Simd>(window: &Window, polygon: &[DVec2], blocks: Option<S>) -> Answe
 fn agree(window: &Window, polygon: &[DVec2]) -> Vec<[u64; 2]> {
     let (expected, work) = clip(window, polygon, None::<Fallback>);
     let best = dispatch!(Level::new(), simd => clip(window, polygon, Some(simd)));
-    let plain = clip_polygon_in_passes(window, polygon, &mut ());
+    let plain = clip_polygon_plain(window, polygon, &mut ());
     assert_eq!(bits(&plain), expected, "{polygon:?}");
     assert_eq!(best, (expected.clone(), work), "{polygon:?}");
     let fallback = clip(window, polygon, Some(Fallback::new()));
@@ -50,14 +50,14 @@ fn at_once(window: &Window, vertices: &Vertices) -> bool {
     let of = |p: DVec2| outcode(window, p);
     let middle = (window.min + window.max) / 2.0;
     let codes = [of(vertices[0]), of(vertices[EDGES])];
-    let mut sides = Sides::new(window, EDGES);
-    sides.start(middle, of(middle));
-    sides.one_by_one(of(middle), &[middle, vertices[0]], &mut ());
+    let mut pipeline = Pipeline::new(window, EDGES);
+    pipeline.start(middle, of(middle));
+    pipeline.one_by_one(of(middle), &[middle, vertices[0]], &mut ());
     let lines = Lines::new(Fallback::new(), window);
     let regions = lines.regions(vertices, codes[0]);
     let mut room = [DVec2::ZERO; 2 * EDGES];
     assert!(regions.finite);
-    sides.block(&lines, vertices, regions, codes, &mut room, &mut ())
+    pipeline.block(&lines, vertices, regions, codes, &mut room, &mut ())
 }
 
 /// Vertices of a block, by turns.
@@ -180,11 +180,11 @@ fn degenerate() {
             for p in [DVec2::new(bad, 5.0), DVec2::new(5.0, bad)] {
                 let mut star = star;
                 star[at] = p;
-                let mut sides = Sides::new(&w, EDGES);
+                let mut pipeline = Pipeline::new(&w, EDGES);
                 let code = outcode(&w, star[0]);
-                sides.start(star[0], code);
+                pipeline.start(star[0], code);
                 assert!(
-                    sides
+                    pipeline
                         .blocks(Fallback::new(), code, &star, &mut ())
                         .is_none()
                 );

@@ -1,4 +1,4 @@
-//! Fast form of a polygon against a window: each edge passes the lines above and below, then those to the right and
+//! The four sides, two behind two: each edge passes the lines above and below, then those to the right and
 //! left; a crossing is computed only if it stays.
 
 use core::cmp::Ordering;
@@ -32,8 +32,8 @@ struct Point {
     along_edge: bool,
 }
 
-/// The four sides, two behind two.
-pub(super) struct Sides<'a> {
+/// What has passed the sides, and what came last to each.
+pub(super) struct Pipeline<'a> {
     window: &'a Window,
     /// The first point that came to the sides right and left, and the last one.
     first: Option<Point>,
@@ -43,7 +43,7 @@ pub(super) struct Sides<'a> {
     queue: Queue,
 }
 
-impl<'a> Sides<'a> {
+impl<'a> Pipeline<'a> {
     pub(super) fn new(window: &'a Window, vertices: usize) -> Self {
         Self {
             window,
