@@ -1,4 +1,5 @@
 use core::cmp::Ordering;
+use core::fmt;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
@@ -303,6 +304,13 @@ fn product(a: Option<&BigUint>, b: Option<&BigUint>) -> Option<BigUint> {
 
 fn odd_above_one(n: BigUint) -> Option<BigUint> {
     (n != BigUint::from(1_u8)).then_some(n)
+}
+
+/// The nearest double, for messages.
+impl fmt::Display for Exact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.nearest(), f)
+    }
 }
 
 impl From<i32> for Exact {

@@ -179,6 +179,7 @@ fn degenerate() {
     assert_eq!(exact(1.0).over(&Exact::ZERO), None);
     assert_eq!(exact(-7.0).over(&exact(2.0)).unwrap().truncated(0), -3);
     assert_eq!(Exact::default(), 0);
+    assert_eq!(exact(-2.5).to_string(), "-2.5");
     assert_eq!(Exact::from(i128::MIN), -Exact::power_of_two(127));
     assert_eq!(Exact::from(u32::MAX) + Exact::from(1_i64), 4_294_967_296.0);
     let terms = [1, 2, 3].map(Exact::from);
