@@ -29,10 +29,11 @@
 //!
 //! ```
 //! use std::rc::Rc;
-//! use ombra_math::work::{Count, Counter, Work};
+//! use ombra_math::work::{Count, Counter};
+//! use ombra_trade::case;
 //! use ombra_trade::deviation::{Deviation, Measure};
 //! use ombra_trade::run::run;
-//! use ombra_trade::study::{Case, Effort, Question, Study, Sweep};
+//! use ombra_trade::study::{Effort, Question, Study, Sweep};
 //!
 //! // A technique: the sum of n tenths, by additions of doubles or by one product.
 //! fn added(n: u32, work: &mut impl Count) -> f64 {
@@ -63,8 +64,8 @@
 //!                 inputs: format!("{n} tenths"),
 //!                 units: 1,
 //!                 cases: vec![
-//!                     Case::new("added", knob, &inputs, |&n| added(n, &mut ()), |&n, w| added(n, w), judge),
-//!                     Case::new("multiplied", knob, &inputs, |&n| multiplied(n, &mut ()), |&n, w| multiplied(n, w), judge),
+//!                     case!("added", knob, &inputs, |n, work| added(*n, work), judge),
+//!                     case!("multiplied", knob, &inputs, |n, work| multiplied(*n, work), judge),
 //!                 ],
 //!             }
 //!         };

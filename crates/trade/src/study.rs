@@ -83,7 +83,8 @@ pub struct Case {
 }
 
 impl Case {
-    /// Names a technique, its knob's setting, the inputs, and the ground truth.
+    /// Names a technique, its knob's setting, the inputs, and the ground truth; [`case!`](crate::case) makes `timed` and
+    /// `counted` of one body.
     ///
     /// - `timed` answers the whole question and counts nothing (it passes `&mut ()`): the clock sees only this.
     /// - `counted` does the same with a counter, which adds up where the operations happen.
@@ -116,4 +117,40 @@ impl Case {
             }),
         }
     }
+}
+
+/// A [`Case`](crate::study::Case) whose technique is written once: `|inputs, work| answer`, a body that is compiled for
+/// `work: &mut ()`, which the clock sees, and for `work: &mut Work`, which counts.
+///
+/// # Examples
+///
+/// ```
+/// use std::rc::Rc;
+/// use ombra_math::work::{Count, Counter};
+/// use ombra_trade::case;
+/// use ombra_trade::deviation::Deviation;
+///
+/// fn doubled(x: &f64, work: &mut impl Count) -> f64 {
+///     work.add(Counter::Additions, 1);
+///     x + x
+/// }
+/// let inputs = Rc::new(0.5);
+/// let judge = |x: &f64, answer: &f64| Deviation::of([Some(answer - 2.0 * x)]);
+/// let _case = case!("doubled", 1.0, &inputs, |x, work| doubled(x, work), judge);
+/// ```
+#[macro_export]
+macro_rules! case {
+    ($technique:expr, $setting:expr, $inputs:expr, |$given:ident, $work:ident| $answer:expr, $judge:expr $(,)?) => {
+        $crate::study::Case::new(
+            $technique,
+            $setting,
+            $inputs,
+            |$given| {
+                let $work = &mut ();
+                $answer
+            },
+            |$given, $work| $answer,
+            $judge,
+        )
+    };
 }
