@@ -40,10 +40,11 @@ use std::rc::Rc;
 use ombra_clip::{pieces, sutherland_hodgman};
 
 use crate::advice::power_of_ten;
+use crate::case;
 use crate::clip_polygon::advice::advice;
 use crate::clip_polygon::polygons::WindowAndPolygons;
 use crate::deviation::Measure;
-use crate::study::{Case, Effort, Question, Study, Sweep};
+use crate::study::{Effort, Question, Study, Sweep};
 
 /// The study.
 pub const STUDY: Study = Study {
@@ -105,43 +106,38 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndPolygons>) -> Question {
         inputs,
         units: scene.polygons.iter().map(Vec::len).sum(),
         cases: vec![
-            Case::new(
+            case!(
                 "Sutherland–Hodgman",
                 k,
                 scene,
-                |s| s.each(|p| sutherland_hodgman::clip_polygon(&s.window, p)),
                 |s, work| s.each(|p| sutherland_hodgman::counted::clip_polygon(&s.window, p, work)),
                 |s, outlines| s.verdict(outlines),
             ),
-            Case::new(
+            case!(
                 "in four passes",
                 k,
                 scene,
-                |s| s.each(|p| sutherland_hodgman::clip_polygon_plain(&s.window, p, &mut ())),
                 |s, work| s.each(|p| sutherland_hodgman::clip_polygon_plain(&s.window, p, work)),
                 |s, outlines| s.verdict(outlines),
             ),
-            Case::new(
+            case!(
                 "pieces",
                 k,
                 scene,
-                |s| s.each(|p| pieces::clip_polygon(&s.window, p)),
                 |s, work| s.each(|p| pieces::counted::clip_polygon(&s.window, p, work)),
                 |s, outlines| s.verdict_of_pieces(outlines),
             ),
-            Case::new(
+            case!(
                 "textbook f64",
                 k,
                 scene,
-                |s| s.each(|p| sutherland_hodgman::textbook(&s.window, p, &mut ())),
                 |s, work| s.each(|p| sutherland_hodgman::textbook(&s.window, p, work)),
                 |s, outlines| s.verdict(outlines),
             ),
-            Case::new(
+            case!(
                 "textbook f32",
                 k,
                 scene,
-                |s| s.each_f32(|p| sutherland_hodgman::textbook_f32(&s.window, p, &mut ())),
                 |s, work| s.each_f32(|p| sutherland_hodgman::textbook_f32(&s.window, p, work)),
                 |s, outlines| s.verdict_f32(outlines),
             ),

@@ -36,10 +36,11 @@ use std::rc::Rc;
 use ombra_clip::{cohen_sutherland, cyrus_beck, direct, liang_barsky};
 
 use crate::advice::{percent, power_of_ten};
+use crate::case;
 use crate::clip_segment::advice::advice;
 use crate::clip_segment::segments::{Clipped, WindowAndSegments};
 use crate::deviation::Measure;
-use crate::study::{Case, Effort, Question, Study, Sweep};
+use crate::study::{Effort, Question, Study, Sweep};
 
 /// The study.
 pub const STUDY: Study = Study {
@@ -99,59 +100,49 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndSegments>) -> Question {
         inputs,
         units: scene.segments.len(),
         cases: vec![
-            Case::new(
+            case!(
                 "direct",
                 k,
                 scene,
-                |s| s.each(|segment| direct::clip_segment(&s.window, segment)),
                 |s, work| s.each(|segment| direct::counted::clip_segment(&s.window, segment, work)),
                 judge,
             ),
-            Case::new(
+            case!(
                 "Cohen–Sutherland",
                 k,
                 scene,
-                |s| s.each(|segment| cohen_sutherland::clip_segment(&s.window, segment)),
-                |s, work| {
-                    s.each(|segment| {
-                        cohen_sutherland::counted::clip_segment(&s.window, segment, work)
-                    })
-                },
+                |s, work| s.each(|segment| cohen_sutherland::counted::clip_segment(
+                    &s.window, segment, work
+                )),
                 judge,
             ),
-            Case::new(
+            case!(
                 "Liang–Barsky",
                 k,
                 scene,
-                |s| s.each(|segment| liang_barsky::clip_segment(&s.window, segment)),
-                |s, work| {
-                    s.each(|segment| liang_barsky::counted::clip_segment(&s.window, segment, work))
-                },
+                |s, work| s
+                    .each(|segment| liang_barsky::counted::clip_segment(&s.window, segment, work)),
                 judge,
             ),
-            Case::new(
+            case!(
                 "Cyrus–Beck",
                 k,
                 scene,
-                |s| s.each(|segment| cyrus_beck::clip_segment(&s.corners, segment)),
-                |s, work| {
-                    s.each(|segment| cyrus_beck::counted::clip_segment(&s.corners, segment, work))
-                },
+                |s, work| s
+                    .each(|segment| cyrus_beck::counted::clip_segment(&s.corners, segment, work)),
                 judge,
             ),
-            Case::new(
+            case!(
                 "textbook C–S",
                 k,
                 scene,
-                |s| s.each(|segment| cohen_sutherland::textbook(&s.window, segment, &mut ())),
                 |s, work| s.each(|segment| cohen_sutherland::textbook(&s.window, segment, work)),
                 judge,
             ),
-            Case::new(
+            case!(
                 "textbook L–B",
                 k,
                 scene,
-                |s| s.each(|segment| liang_barsky::textbook(&s.window, segment, &mut ())),
                 |s, work| s.each(|segment| liang_barsky::textbook(&s.window, segment, work)),
                 judge,
             ),

@@ -36,11 +36,12 @@ use ombra_hsr::z_buffer::Cull;
 use ombra_math::mesh::Mesh;
 use ombra_math::work::Counter;
 
+use crate::case;
 use crate::culling::advice::advice;
 use crate::culling::solid::{Solid, sphere, torus};
 use crate::deviation::Measure;
 use crate::hidden::Answer;
-use crate::study::{Case, Effort, Question, Study, Sweep};
+use crate::study::{Effort, Question, Study, Sweep};
 
 /// The study.
 pub const STUDY: Study = Study {
@@ -75,43 +76,47 @@ fn question(name: &str, mesh: Mesh, side: u32) -> Question {
     let solid = Rc::new(Solid::new(mesh, side, triangles <= MOST_PAIRS));
     let setting = triangles as f64;
     let judge = |s: &Solid, answer: &Answer| s.verdict(answer);
-    let case =
-        |technique, timed, counted| Case::new(technique, setting, &solid, timed, counted, judge);
     let mut cases = vec![
-        case(
+        case!(
             "z-buffer",
-            |s| s.scene.z_buffer(Cull::Nothing, &mut ()),
+            setting,
+            &solid,
             |s, work| s.scene.z_buffer(Cull::Nothing, work),
+            judge
         ),
-        case(
+        case!(
             "culled z-buffer",
-            |s| s.scene.z_buffer(Cull::Back, &mut ()),
+            setting,
+            &solid,
             |s, work| s.scene.z_buffer(Cull::Back, work),
+            judge
         ),
-        case(
+        case!(
             "z-buffer of front faces",
-            |s| s.left_out_before(&mut ()),
+            setting,
+            &solid,
             |s, work| s.left_out_before(work),
+            judge
         ),
     ];
     if triangles <= MOST_PAIRS {
         let judge = |s: &Solid, answer: &Answer| s.verdict_of_object_space(answer);
-        cases.push(Case::new(
-            "object space",
-            setting,
-            &solid,
-            |s| s.scene.object_space(&mut ()),
-            |s, work| s.scene.object_space(work),
-            judge,
-        ));
-        cases.push(Case::new(
-            "culled object space",
-            setting,
-            &solid,
-            |s| s.culled_object_space(&mut ()),
-            |s, work| s.culled_object_space(work),
-            judge,
-        ));
+        cases.extend([
+            case!(
+                "object space",
+                setting,
+                &solid,
+                |s, work| s.scene.object_space(work),
+                judge
+            ),
+            case!(
+                "culled object space",
+                setting,
+                &solid,
+                |s, work| s.culled_object_space(work),
+                judge
+            ),
+        ]);
     }
     Question {
         inputs: format!("{name} of {triangles} triangles, {side}×{side} pixels"),

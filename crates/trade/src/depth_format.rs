@@ -33,9 +33,9 @@ mod tiles;
 use std::rc::Rc;
 
 use ombra_hsr::z_buffer::{Depth16, Depth24, Depth32F, DepthFormat, ReversedDepth32F};
-use ombra_math::work::Work;
 
 use crate::advice::power_of_ten;
+use crate::case;
 use crate::depth_format::advice::advice;
 use crate::depth_format::tiles::{Tiles, Together};
 use crate::deviation::Measure;
@@ -82,22 +82,22 @@ fn question(ratio: f64, columns: u32, together: Together) -> Question {
         ),
         units: tiles.pixels(),
         cases: vec![
-            case::<Depth24>(ratio, &tiles),
-            case::<Depth16>(ratio, &tiles),
-            case::<Depth32F>(ratio, &tiles),
-            case::<ReversedDepth32F>(ratio, &tiles),
+            format::<Depth24>(ratio, &tiles),
+            format::<Depth16>(ratio, &tiles),
+            format::<Depth32F>(ratio, &tiles),
+            format::<ReversedDepth32F>(ratio, &tiles),
         ],
     }
 }
 
-fn case<F: DepthFormat>(ratio: f64, tiles: &Rc<Tiles>) -> Case {
-    Case::new(
+fn format<F: DepthFormat>(ratio: f64, tiles: &Rc<Tiles>) -> Case {
+    let judge = |tiles: &Tiles, answer: &Answer| tiles.verdict::<F>(answer);
+    case!(
         F::NAME,
         ratio,
         tiles,
-        |tiles| tiles.draw::<F>(&mut ()),
-        |tiles, work: &mut Work| tiles.draw::<F>(work),
-        |tiles, answer: &Answer| tiles.verdict::<F>(answer),
+        |tiles, work| tiles.draw::<F>(work),
+        judge
     )
 }
 

@@ -30,10 +30,11 @@ use std::rc::Rc;
 
 use ombra_raster::{analytic, bresenham, dda};
 
+use crate::case;
 use crate::deviation::Measure;
 use crate::line_precision::advice::advice;
 use crate::line_precision::segments::Segments;
-use crate::study::{Case, Effort, Question, Study, Sweep};
+use crate::study::{Effort, Question, Study, Sweep};
 
 /// The study.
 pub const STUDY: Study = Study {
@@ -53,7 +54,7 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     let questions = [10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000].map(|length| {
         // About as many pixels at each length, up to where two slopes are the least to ask.
         let number = (effort.choose(100_000, 1_000_000) / length).clamp(2, 1000);
-        question(length, &Rc::new(Segments::new(length, number)))
+        question(&Rc::new(Segments::new(length, number)))
     });
     vec![Sweep {
         name: "length",
@@ -63,48 +64,33 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     }]
 }
 
-fn question(length: u32, segments: &Rc<Segments>) -> Question {
-    let k = f64::from(length);
+/// A technique that is an iterator of pixels: drawn without and with counting, and once more by who judges.
+macro_rules! drawn {
+    ($technique:expr, $segments:expr, $pixels:path) => {
+        case!(
+            $technique,
+            f64::from($segments.length),
+            $segments,
+            |s, work| s.draw(|a, b, drawn| drawn.all($pixels(a, b, work))),
+            // The iterator holds its counter. One that is nothing takes no room on the heap, so none is lost.
+            |s, drawn| s.deviation(drawn, |a, b| $pixels(a, b, Box::leak(Box::new(()))))
+        )
+    };
+}
+
+fn question(segments: &Rc<Segments>) -> Question {
     Question {
-        inputs: format!("{} segments of {length} moves", segments.ends.len()),
+        inputs: format!(
+            "{} segments of {} moves",
+            segments.ends.len(),
+            segments.length
+        ),
         units: segments.pixels(),
         cases: vec![
-            Case::new(
-                "analytic",
-                k,
-                segments,
-                |s| s.draw(analytic::segment),
-                |s, work| {
-                    s.draw_with(|a, b, sink| sink.all(analytic::counted::segment(a, b, work)))
-                },
-                |s, drawn| s.deviation(drawn, analytic::segment),
-            ),
-            Case::new(
-                "DDA f64",
-                k,
-                segments,
-                |s| s.draw(dda::segment),
-                |s, work| s.draw_with(|a, b, sink| sink.all(dda::counted::segment(a, b, work))),
-                |s, drawn| s.deviation(drawn, dda::segment),
-            ),
-            Case::new(
-                "DDA f32",
-                k,
-                segments,
-                |s| s.draw(dda::segment_f32),
-                |s, work| s.draw_with(|a, b, sink| sink.all(dda::counted::segment_f32(a, b, work))),
-                |s, drawn| s.deviation(drawn, dda::segment_f32),
-            ),
-            Case::new(
-                "Bresenham",
-                k,
-                segments,
-                |s| s.draw(bresenham::segment),
-                |s, work| {
-                    s.draw_with(|a, b, sink| sink.all(bresenham::counted::segment(a, b, work)))
-                },
-                |s, drawn| s.deviation(drawn, bresenham::segment),
-            ),
+            drawn!("analytic", segments, analytic::counted::segment),
+            drawn!("DDA f64", segments, dda::counted::segment),
+            drawn!("DDA f32", segments, dda::counted::segment_f32),
+            drawn!("Bresenham", segments, bresenham::counted::segment),
         ],
     }
 }

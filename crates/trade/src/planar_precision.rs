@@ -44,6 +44,7 @@ mod techniques;
 use std::rc::Rc;
 
 use crate::advice::power_of_ten;
+use crate::case;
 use crate::deviation::Measure;
 use crate::planar_precision::advice::advice;
 use crate::planar_precision::casts::Casts;
@@ -74,12 +75,11 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     let to_infinity = powers(15).map(|k| {
         let scene = Rc::new(Casts::to_infinity(1.0 / k, vertices));
         let mut cases = common(k, &scene);
-        cases.push(Case::new(
+        cases.push(case!(
             "directional f64",
             k,
             &scene,
-            |s| directional_f64(s, &mut ()),
-            directional_f64,
+            |s, work| directional_f64(s, work),
             |s, shadows| s.deviation(shadows),
         ));
         question(
@@ -91,12 +91,11 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
     let far = powers(12).map(|k| {
         let scene = Rc::new(Casts::far_from_origin(k, vertices));
         let mut cases = common(k, &scene);
-        cases.push(Case::new(
+        cases.push(case!(
             "moved origin f64",
             k,
             &scene,
-            |s| moved_origin(s, &mut ()),
-            moved_origin,
+            |s, work| moved_origin(s, work),
             |s, shadows| s.deviation_from_middle(shadows),
         ));
         question(
@@ -141,39 +140,29 @@ fn common(k: f64, scene: &Rc<Casts>) -> Vec<Case> {
     let judge = |s: &Casts, shadows: &Vec<_>| s.deviation(shadows);
     let judge_f32 = |s: &Casts, shadows: &Vec<_>| s.deviation_f32(shadows);
     vec![
-        Case::new(
-            "matrix f64",
-            k,
-            scene,
-            |s| matrix_f64(s, &mut ()),
-            matrix_f64,
-            judge,
-        ),
-        Case::new(
+        case!("matrix f64", k, scene, |s, work| matrix_f64(s, work), judge),
+        case!(
             "matrix f32",
             k,
             scene,
-            |s| matrix_f32(s, &mut ()),
-            matrix_f32,
-            judge_f32,
+            |s, work| matrix_f32(s, work),
+            judge_f32
         ),
-        Case::new(
+        case!(
             "quotient f64",
             k,
             scene,
-            |s| quotient_f64(s, &mut ()),
-            quotient_f64,
-            judge,
+            |s, work| quotient_f64(s, work),
+            judge
         ),
-        Case::new(
+        case!(
             "parameter f64",
             k,
             scene,
-            |s| parameter_f64(s, &mut ()),
-            parameter_f64,
-            judge,
+            |s, work| parameter_f64(s, work),
+            judge
         ),
-        Case::new("cast", k, scene, |s| cast(s, &mut ()), cast, judge),
+        case!("cast", k, scene, |s, work| cast(s, work), judge),
     ]
 }
 

@@ -39,6 +39,7 @@ use std::rc::Rc;
 use ombra_math::work::{Count, Counter};
 use ombra_raster::triangle::{EdgeRule, cover, snap};
 
+use crate::case;
 use crate::deviation::Measure;
 use crate::study::{Case, Effort, Question, Study, Sweep};
 use crate::triangle_subpixel::advice::advice;
@@ -92,37 +93,27 @@ fn cases(snapped: &Rc<Snapped>) -> Vec<Case> {
     let judge = |s: &Snapped, owners: &Owners| s.mesh.verdict(owners);
     let bits = f64::from(snapped.bits);
     vec![
-        Case::new(
-            "cover",
-            bits,
-            snapped,
-            |s| by_cover(s, &mut ()),
-            by_cover,
-            judge,
-        ),
-        Case::new(
+        case!("cover", bits, snapped, |s, work| by_cover(s, work), judge),
+        case!(
             "top-left",
             bits,
             snapped,
-            |s| draw(&s.mesh, s.bits, EdgeRule::TopLeft, &mut ()),
             |s, work| draw(&s.mesh, s.bits, EdgeRule::TopLeft, work),
-            judge,
+            judge
         ),
-        Case::new(
+        case!(
             "both inclusive",
             bits,
             snapped,
-            |s| draw(&s.mesh, s.bits, EdgeRule::Closed, &mut ()),
             |s, work| draw(&s.mesh, s.bits, EdgeRule::Closed, work),
-            judge,
+            judge
         ),
-        Case::new(
+        case!(
             "no rule",
             bits,
             snapped,
-            |s| draw(&s.mesh, s.bits, EdgeRule::Open, &mut ()),
             |s, work| draw(&s.mesh, s.bits, EdgeRule::Open, work),
-            judge,
+            judge
         ),
     ]
 }

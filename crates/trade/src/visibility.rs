@@ -35,9 +35,10 @@ use std::rc::Rc;
 use ombra_hsr::z_buffer::Cull;
 use ombra_math::work::Counter;
 
+use crate::case;
 use crate::deviation::Measure;
 use crate::hidden::{Answer, TrianglesInView};
-use crate::study::{Case, Effort, Question, Study, Sweep};
+use crate::study::{Effort, Question, Study, Sweep};
 use crate::visibility::advice::advice;
 use crate::visibility::triangles::triangles;
 
@@ -98,50 +99,68 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
 fn question(k: usize, side: u32, setting: f64, limits: Limits) -> Question {
     let scene = Rc::new(TrianglesInView::new(triangles(k), side));
     let judge = |s: &TrianglesInView, answer: &Answer| s.deviation(answer);
-    let case =
-        |technique, timed, counted| Case::new(technique, setting, &scene, timed, counted, judge);
-    let mut cases = vec![case(
-        "z-buffer",
-        |s| s.z_buffer(Cull::Nothing, &mut ()),
-        |s, work| s.z_buffer(Cull::Nothing, work),
-    )];
-    if k <= limits.rays {
-        cases.push(case(
-            "image space",
-            |s| s.image_space(&mut ()),
-            |s, work| s.image_space(work),
-        ));
-    }
-    if k <= limits.sorted {
-        cases.push(case(
-            "image space with boxes",
-            |s| s.image_space_in_boxes(&mut ()),
-            |s, work| s.image_space_in_boxes(work),
-        ));
-    }
-    if k <= limits.pairs {
-        cases.push(case(
-            "object space",
-            |s| s.object_space(&mut ()),
-            |s, work| s.object_space(work),
-        ));
-    }
-    if k <= limits.sorted {
-        cases.push(case(
-            "painter",
-            |s| s.painter(&mut ()),
-            |s, work| s.painter(work),
-        ));
-    }
-    cases.push(case(
-        "sort only",
-        |s| s.sort_only(&mut ()),
-        |s, work| s.sort_only(work),
-    ));
+    // Up to how many primitives, and who.
+    let cases = [
+        (
+            usize::MAX,
+            case!(
+                "z-buffer",
+                setting,
+                &scene,
+                |s, work| s.z_buffer(Cull::Nothing, work),
+                judge
+            ),
+        ),
+        (
+            limits.rays,
+            case!(
+                "image space",
+                setting,
+                &scene,
+                |s, work| s.image_space(work),
+                judge
+            ),
+        ),
+        (
+            limits.sorted,
+            case!(
+                "image space with boxes",
+                setting,
+                &scene,
+                |s, work| s.image_space_in_boxes(work),
+                judge
+            ),
+        ),
+        (
+            limits.pairs,
+            case!(
+                "object space",
+                setting,
+                &scene,
+                |s, work| s.object_space(work),
+                judge
+            ),
+        ),
+        (
+            limits.sorted,
+            case!("painter", setting, &scene, |s, work| s.painter(work), judge),
+        ),
+        (
+            usize::MAX,
+            case!(
+                "sort only",
+                setting,
+                &scene,
+                |s, work| s.sort_only(work),
+                judge
+            ),
+        ),
+    ];
+    let asked = cases.into_iter().filter(|(most, _)| k <= *most);
     Question {
         inputs: format!("{k} triangles, {side}×{side} pixels"),
         units: scene.pixels(),
-        cases,
+        cases: asked.map(|(_, case)| case).collect(),
     }
 }
 

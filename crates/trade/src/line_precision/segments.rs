@@ -8,7 +8,8 @@ use crate::random::Random;
 /// Segments that all have the same number of moves.
 pub struct Segments {
     pub ends: Vec<(IVec2, IVec2)>,
-    length: u32,
+    /// Moves from end to end.
+    pub length: u32,
 }
 
 /// The pixels of all segments, as a number for each way in which two drawings could differ: how many, which, and in
@@ -68,13 +69,8 @@ impl Segments {
         self.ends.len() * (self.length as usize + 1)
     }
 
-    /// The pixels that `technique` draws.
-    pub fn draw<P: Iterator<Item = IVec2>>(&self, technique: fn(IVec2, IVec2) -> P) -> Drawn {
-        self.draw_with(|a, b, drawn| drawn.all(technique(a, b)))
-    }
-
     /// The pixels that `technique` puts into a drawing, a segment at a time.
-    pub fn draw_with(&self, mut technique: impl FnMut(IVec2, IVec2, &mut Drawn)) -> Drawn {
+    pub fn draw(&self, mut technique: impl FnMut(IVec2, IVec2, &mut Drawn)) -> Drawn {
         let mut drawn = Drawn::default();
         for &(a, b) in &self.ends {
             technique(a, b, &mut drawn);
@@ -86,7 +82,7 @@ impl Segments {
     pub fn deviation<P: Iterator<Item = IVec2>>(
         &self,
         drawn: &Drawn,
-        technique: fn(IVec2, IVec2) -> P,
+        technique: impl Fn(IVec2, IVec2) -> P,
     ) -> Deviation {
         let mut again = Drawn::default();
         let errors = self.ends.iter().flat_map(|&(a, b)| {
@@ -149,6 +145,13 @@ impl ExactLine {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn draw<P: Iterator<Item = IVec2>>(
+        segments: &Segments,
+        technique: fn(IVec2, IVec2) -> P,
+    ) -> Drawn {
+        segments.draw(|a, b, drawn| drawn.all(technique(a, b)))
+    }
 
     fn of(pixels: &'static [(i32, i32)]) -> impl Iterator<Item = IVec2> {
         pixels.iter().map(|&p| p.into())
@@ -214,23 +217,26 @@ mod tests {
         let cut_off = |_, _| of(&[(0, 0), (1, 0), (2, 0), (3, 1)]);
         let short = |_, _| of(&[(0, 0), (1, 0), (2, 1)]);
         let long = |_, _| of(&[(0, 0), (1, 0), (2, 1), (3, 1), (4, 1)]);
-        let deviation = segments.deviation(&segments.draw(right), right);
+        let deviation = segments.deviation(&draw(&segments, right), right);
         assert_eq!(
             (deviation.asked, deviation.wrong, deviation.missing),
             (4, 0, 0)
         );
-        let deviation = segments.deviation(&segments.draw(cut_off), cut_off);
+        let deviation = segments.deviation(&draw(&segments, cut_off), cut_off);
         assert_eq!((deviation.wrong, deviation.max), (1, 1.0));
-        assert_eq!(segments.deviation(&segments.draw(short), short).missing, 1);
-        // Pixels beyond the end, or others than were timed, are no answer at all.
-        assert_eq!(segments.deviation(&segments.draw(long), long).missing, 4);
         assert_eq!(
-            segments.deviation(&segments.draw(cut_off), right).missing,
+            segments.deviation(&draw(&segments, short), short).missing,
+            1
+        );
+        // Pixels beyond the end, or others than were timed, are no answer at all.
+        assert_eq!(segments.deviation(&draw(&segments, long), long).missing, 4);
+        assert_eq!(
+            segments.deviation(&draw(&segments, cut_off), right).missing,
             4
         );
         // The same pixels in another order too.
         let back = |_, _| of(&[(0, 0), (2, 1), (1, 0), (3, 1)]);
-        assert_eq!(segments.deviation(&segments.draw(back), right).missing, 4);
+        assert_eq!(segments.deviation(&draw(&segments, back), right).missing, 4);
     }
 
     #[test]
