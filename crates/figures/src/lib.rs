@@ -57,6 +57,7 @@
 //!
 //! The figures themselves are free to use in slides: CC0 1.0, as each SVG says. The typeface is DejaVu Sans, under its
 //! own licence in `fonts/`.
+#![doc(html_root_url = "https://docs.rs/ombra-figures/latest")]
 
 pub mod chart;
 mod clip;

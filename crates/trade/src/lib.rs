@@ -80,6 +80,7 @@
 //! assert_eq!((rows[1].work.multiplications, rows[1].deviation.max), (1, 0.0));
 //! # Ok::<(), ombra_trade::error::TradeError>(())
 //! ```
+#![doc(html_root_url = "https://docs.rs/ombra-trade/latest")]
 
 pub mod advice;
 mod charts;
