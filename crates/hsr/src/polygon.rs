@@ -257,7 +257,8 @@ impl Polygon {
     ///
     /// # Properties
     ///
-    /// With n vertices within 8 n ε of the square of the largest coordinate; 0 or ∞ where no double holds it.
+    /// - Error: 8 n ε · M², n vertices, M the largest coordinate
+    /// - 0 or ∞ where no double holds it.
     #[must_use]
     pub fn area(&self) -> f64 {
         let twice: DVec3 = self.fan().map(|(_, cross)| cross).sum();
@@ -271,6 +272,10 @@ impl Polygon {
     /// ```text
     /// G = Σ Aᵢ Gᵢ / Σ Aᵢ          Aᵢ, Gᵢ: area and centre of the triangle V₀ Vᵢ Vᵢ₊₁
     /// ```
+    ///
+    /// # Properties
+    ///
+    /// - Error: 16 n ε · M³/A + the smallest double, n vertices, M the largest coordinate, A the area
     ///
     /// # Examples
     ///

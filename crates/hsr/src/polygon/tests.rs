@@ -1,5 +1,7 @@
 use super::*;
 use core::f64::consts::TAU;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
 use ombra_math::glam::DQuat;
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
@@ -268,5 +270,60 @@ fn a_needle_has_a_plane_however_thin_and_wherever_it_is() {
             .to_vec(),
         };
         assert_eq!(flat.plane(), None, "{x:e} {l:e}");
+    }
+}
+
+/// Each of the doubles exactly.
+fn rational(v: DVec3) -> [BigRational; 3] {
+    v.to_array().map(|x| BigRational::from_float(x).unwrap())
+}
+
+proptest! {
+    /// Against rationals: n = 3 … 5, on any plane, also thin ones and ones far from the origin.
+    #[test]
+    fn area_and_centre_are_within_their_bounds(
+        corner in prop::array::uniform3(-4.0..4.0),
+        sides in prop::array::uniform2(prop::array::uniform3(-1.0..1.0)),
+        thin in 0..30i32, away in 0..20, n in 3usize..6,
+    ) {
+        let thin = libm::scalbn(1.0, -thin);
+        let first = DVec3::from(corner) * libm::scalbn(1.0, away);
+        let [u, v] = sides.map(DVec3::from);
+        let v = u + v * thin;
+        // Corners of a convex outline, rounded: a fifth and a fourth of the plane, or nearly.
+        let outline = [DVec3::ZERO, u, u + v, 0.5 * u + 1.5 * v, v];
+        let order = [[0, 1, 4, 0, 0], [0, 1, 2, 4, 0], [0, 1, 2, 3, 4]][n - 3];
+        let vertices: Vec<_> = order[..n].iter().map(|&i| first + outline[i]).collect();
+        let polygon = Polygon { vertices };
+        let m = polygon.scale();
+        let at: Vec<_> = polygon.vertices.iter().map(|&v| rational(v)).collect();
+        let from_first = |i: usize| [0, 1, 2].map(|k| &at[i][k] - &at[0][k]);
+        let zero = || BigRational::from_integer(0.into());
+        let crosses: Vec<[BigRational; 3]> = (1..n - 1).map(|i| {
+            let (a, b) = (from_first(i), from_first(i + 1));
+            [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
+        }).collect();
+        let whole = [0, 1, 2].map(|k| crosses.iter().fold(zero(), |sum, c| sum + &c[k]));
+        let dot = |a: &[BigRational; 3], b: &[BigRational; 3]| (0..3).map(|k| &a[k] * &b[k]).fold(zero(), |s, x| s + x);
+        // 4 A² exactly; (A − bound)² ≤ A² ≤ (A + bound)².
+        let square = dot(&whole, &whole);
+        let bound = 8.0 * n as f64 * f64::EPSILON * m * m;
+        let twice = |x: f64| BigRational::from_float(2.0 * x).unwrap();
+        let (low, high) = (twice((polygon.area() - bound).max(0.0)), twice(polygon.area() + bound));
+        prop_assert!(&low * &low <= square && square <= &high * &high);
+        if square > zero() && let Some(centre) = polygon.centroid() {
+            let area = square.to_f64().unwrap().sqrt() / 2.0;
+            let bound = 16.0 * n as f64 * f64::EPSILON * m * m * m / area;
+            let weight: Vec<_> = crosses.iter().map(|c| dot(c, &whole)).collect();
+            let sum = weight.iter().fold(zero(), |s, w| s + w);
+            for k in 0..3 {
+                let moment = weight.iter().enumerate().fold(zero(), |s, (i, w)| {
+                    s + w * (from_first(i + 1)[k].clone() + &from_first(i + 2)[k])
+                });
+                let exact = &at[0][k] + moment / &sum / BigRational::from_integer(3.into());
+                let off = (BigRational::from_float(centre[k]).unwrap() - exact).to_f64().unwrap();
+                prop_assert!(off.abs() <= bound, "{off} {bound}");
+            }
+        }
     }
 }
