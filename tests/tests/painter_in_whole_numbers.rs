@@ -135,7 +135,7 @@ fn pairs_and_orders_of_whole_number_scenes() {
         }
         for answer in [
             painter::order(&polygons, eye),
-            painter::order_plain(&polygons, eye),
+            painter::order_plain(&polygons, eye, &mut ()),
         ] {
             match answer {
                 Ok(order) => {

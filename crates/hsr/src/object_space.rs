@@ -10,9 +10,44 @@ mod overlap;
 use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::work::Count;
 
-use crate::pair::{Pair, Seen, Side, tolerance};
+use crate::pair::{CutPlane, Pair, Seen, tolerance};
 use crate::polygon::Polygon;
 use overlap::{Overlap, overlaps};
+
+/// The slide's form of [`visible_parts`], which is all there is: each primitive is compared with each.
+///
+/// Counts the [pairs](ombra_math::work::Counter::Pairs) compared: k (k − 1) / 2.
+#[must_use]
+pub fn visible_parts_plain(
+    polygons: &[Polygon],
+    eye: DVec4,
+    work: &mut impl Count,
+) -> Vec<(usize, Polygon)> {
+    let seen: Vec<_> = polygons.iter().map(|p| Seen::new(p, eye)).collect();
+    // Compare each with each: which pairs share sight lines, and who is nearer there?
+    let overlaps = overlaps(&seen, work);
+    let whole = |(polygon, seen): (&Polygon, Option<Seen>)| Primitive {
+        parts: seen.iter().map(|_| polygon.vertices.clone()).collect(),
+        seen,
+    };
+    let mut scene: Vec<Primitive> = polygons.iter().zip(seen).map(whole).collect();
+    // From what is visible so far of each of a pair, take what the other hides.
+    for (number, overlaps) in overlaps.iter().enumerate() {
+        let (before, from) = scene.split_at_mut(number);
+        for overlap in overlaps {
+            if let (Some(first), Some(second)) = (before.get_mut(overlap.with), from.first_mut()) {
+                first.meet(second, overlap);
+            }
+        }
+    }
+    // What is left is seen.
+    let parts = scene.into_iter().map(|primitive| primitive.parts);
+    let numbered = parts.enumerate().flat_map(|(source, parts)| {
+        let part = move |vertices| (source, Polygon { vertices });
+        parts.into_iter().map(part)
+    });
+    numbered.collect()
+}
 
 /// The visible parts of opaque `polygons` as seen from `eye`, each with the index of the polygon it is a part of.
 ///
@@ -49,8 +84,8 @@ use overlap::{Overlap, overlaps};
 /// From a place all directions round the eye count, and there is no near plane: what lies behind the back of a camera
 /// is in the answer.
 ///
-/// O(k²) is the number of comparisons, and the pairs that overlap are kept until the end. The answer itself can grow as k²
-/// too: n strips over n strips leave n (n + 2) parts.
+/// O(k²) is the number of comparisons, and the pairs that overlap in the view are kept until the end, 16 bytes each: if all
+/// do, 8 k² bytes, 80 MB for k = 3200. The answer itself can grow as k² too: n strips over n strips leave n (n + 2) parts.
 ///
 /// Equal depth within a [`tolerance`] is not transitive: of three sheets, each within it of the next, the last may be
 /// nearer than the first, and each is hidden by another. One of them is seen all the same: the first is, until one comes
@@ -82,37 +117,12 @@ use overlap::{Overlap, overlaps};
 /// Grafica 3, «Approccio Object-Space».
 #[must_use]
 pub fn visible_parts(polygons: &[Polygon], eye: DVec4) -> Vec<(usize, Polygon)> {
-    visible_parts_counted(polygons, eye, &mut ())
+    visible_parts_plain(polygons, eye, &mut ())
 }
 
-/// [`visible_parts`], with its [`Counter::Pairs`](ombra_math::work::Counter::Pairs) counted: k (k − 1) / 2.
-#[must_use]
-pub fn visible_parts_counted(
-    polygons: &[Polygon],
-    eye: DVec4,
-    work: &mut impl Count,
-) -> Vec<(usize, Polygon)> {
-    let seen: Vec<_> = polygons.iter().map(|p| Seen::new(p, eye)).collect();
-    let overlaps = overlaps(&seen, work);
-    let whole = |(polygon, seen): (&Polygon, Option<Seen>)| Primitive {
-        parts: seen.iter().map(|_| polygon.vertices.clone()).collect(),
-        seen,
-    };
-    let mut scene: Vec<Primitive> = polygons.iter().zip(seen).map(whole).collect();
-    for (number, overlaps) in overlaps.iter().enumerate() {
-        let (before, from) = scene.split_at_mut(number);
-        for overlap in overlaps {
-            if let (Some(first), Some(second)) = (before.get_mut(overlap.with), from.first_mut()) {
-                first.meet(second, overlap);
-            }
-        }
-    }
-    let parts = scene.into_iter().map(|primitive| primitive.parts);
-    let numbered = parts.enumerate().flat_map(|(source, parts)| {
-        let part = move |vertices| (source, Polygon { vertices });
-        parts.into_iter().map(part)
-    });
-    numbered.collect()
+/// The same answers, each counting its work.
+pub mod counted {
+    pub use super::visible_parts_plain as visible_parts;
 }
 
 /// A polygon, and what is visible of it so far.
@@ -147,13 +157,13 @@ impl Primitive {
             hide(&mut second.parts, p, border, tolerance);
         }
         if second_hides {
-            hide(&mut self.parts, q, border.map(Side::turned), tolerance);
+            hide(&mut self.parts, q, border.map(CutPlane::turned), tolerance);
         }
     }
 }
 
 /// Takes from parts what `nearer` hides: all that it covers, or of that what is in front of `border`.
-fn hide(parts: &mut Vec<Vec<DVec3>>, nearer: &Seen, border: Option<Side>, tolerance: f64) {
+fn hide(parts: &mut Vec<Vec<DVec3>>, nearer: &Seen, border: Option<CutPlane>, tolerance: f64) {
     let mut visible = Vec::with_capacity(parts.len());
     for part in parts.drain(..) {
         let peeled = peel(&part, nearer, border, tolerance);
@@ -169,11 +179,11 @@ fn hide(parts: &mut Vec<Vec<DVec3>>, nearer: &Seen, border: Option<Side>, tolera
 fn peel(
     part: &[DVec3],
     nearer: &Seen,
-    border: Option<Side>,
+    border: Option<CutPlane>,
     tolerance: f64,
 ) -> Option<Vec<Vec<DVec3>>> {
     // All on or outside one plane: the common case, and no reason to cut at the others.
-    let misses = |side: Side| part.iter().all(|&v| side.distance(v) <= tolerance);
+    let misses = |side: CutPlane| part.iter().all(|&v| side.distance(v) <= tolerance);
     if border.into_iter().chain(nearer.sides()).any(misses) {
         return None;
     }

@@ -24,17 +24,72 @@ use crate::polygon::Polygon;
 
 mod cut;
 mod cycle;
+mod divide;
 mod extent;
+mod fast;
+mod pairs;
 mod piece;
-mod plain;
-mod sort;
 #[cfg(test)]
 mod tests;
 mod tree;
 
 pub use cycle::Cycle;
-pub use plain::{hiding_pairs, hiding_pairs_counted, order_plain, order_plain_counted};
-use sort::DepthSort;
+use cycle::ring_on;
+use extent::View;
+
+/// [`order`] as the slide tells it: every pair is compared before anything is painted.
+///
+/// Counts the pairs compared: k (k − 1) / 2.
+///
+/// # Errors
+///
+/// As for [`order`].
+pub fn order_plain(
+    polygons: &[Polygon],
+    eye: DVec4,
+    work: &mut impl Count,
+) -> Result<Vec<usize>, Cycle> {
+    let view = View::of(eye);
+    let distances: Vec<f64> = polygons.iter().map(|p| view.distance(p)).collect();
+    let farther = |a: &usize, b: &usize| distances[*b].total_cmp(&distances[*a]);
+    // Sort by distance, farther first; a stable sort leaves equal ones as they were submitted.
+    let mut sorted: Vec<usize> = (0..polygons.len()).collect();
+    sorted.sort_by(farther);
+    // What each hides, the farthest first.
+    let mut hidden_by = vec![Vec::new(); polygons.len()];
+    for [front, back] in pairs::hiding_pairs(polygons, eye, work) {
+        hidden_by[front].push(back);
+    }
+    for hidden in &mut hidden_by {
+        hidden.sort_by(farther);
+    }
+    let mut order = Vec::with_capacity(polygons.len());
+    let mut is_painted = vec![false; polygons.len()];
+    for next in sorted {
+        // The next of the sort; and after it what has to be painted before, because the one before hides it.
+        let mut path = vec![next];
+        while let Some(&last) = path.last() {
+            match hidden_by[last].iter().find(|&&back| !is_painted[back]) {
+                // It hides nothing that is not painted yet: paint it.
+                None => {
+                    path.pop();
+                    if !is_painted[last] {
+                        is_painted[last] = true;
+                        order.push(last);
+                    }
+                }
+                // It hides this one: that first. But if that waits for it, each hides the next in a ring.
+                Some(&back) => match path.iter().position(|&p| p == back) {
+                    None => path.push(back),
+                    Some(start) => {
+                        return Err(Cycle::of(ring_on(&path[start..], |p| &hidden_by[p])));
+                    }
+                },
+            }
+        }
+    }
+    Ok(order)
+}
 
 /// The indices of `polygons` back to front: the order to paint them in.
 ///
@@ -42,8 +97,8 @@ use sort::DepthSort;
 ///
 /// ```text
 /// sort:    farther first, by the farthest vertex; equal distances as submitted
-/// paint:   the first of the sort that is left; but what it hides of the others left is painted before it,
-///          the farthest of that first, and each in this same way
+/// paint:   the first of the sort that is left; but what it hides of the others left is
+///          painted before it, the farthest of that first, and each in this same way
 /// ```
 ///
 /// `eye` is a place (w ≠ 0), seen from in all directions, or the direction towards the viewer of a parallel view
@@ -93,21 +148,7 @@ use sort::DepthSort;
 /// Grafica 3, «Algoritmo del Pittore (depth-sort)». M. E. Newell, R. G. Newell, T. L. Sancha, «A solution to the hidden
 /// surface problem», 1972.
 pub fn order(polygons: &[Polygon], eye: DVec4) -> Result<Vec<usize>, Cycle> {
-    order_counted(polygons, eye, &mut ())
-}
-
-/// [`order`], counting each pair compared, once, or twice where one of the two waits for the other, and the tests of
-/// two boxes as comparisons.
-///
-/// # Errors
-///
-/// As for [`order`].
-pub fn order_counted(
-    polygons: &[Polygon],
-    eye: DVec4,
-    work: &mut impl Count,
-) -> Result<Vec<usize>, Cycle> {
-    DepthSort::new(polygons, eye, work).order()
+    fast::order(polygons, eye, &mut ())
 }
 
 /// Pieces of `polygons` back to front, each with the index of the polygon it is a part of; always succeeds.
@@ -115,7 +156,10 @@ pub fn order_counted(
 /// # Formula
 ///
 /// ```text
-/// order, but a ring (P hides Q hides … hides P) is opened: one of it is cut in two by the plane of another
+/// order, but a ring (P hides Q hides … hides P) is opened: one of it is cut in two by the
+/// plane of another
+/// after k rings of k primitives (64 at least), or one that no plane opens:  what is left is
+/// divided by the plane of one; what lies beyond it is first, what lies before it last
 /// ```
 ///
 /// # Properties
@@ -124,6 +168,11 @@ pub fn order_counted(
 /// - Pieces are convex, those of one primitive lie side by side, and their areas add up to its own, to the rounding of
 ///   new vertices: 4 ε of the coordinates a cut.
 /// - Painted in this order, each sight line shows the nearest primitive last, except within rounding of a piece's edge.
+/// - Time: as [`order`] until the first ring, and as long as rings are opened one by one each half is compared with what
+///   lies about it: k² comparisons at most for k sheets one over the other. Then m pieces are held against a few planes
+///   at each of about log m divisions. Where all cross all, the pieces that come out are most of the time.
+/// - Memory: some 2 KB a primitive and 8 bytes a pair that overlaps, while they wait; what is opened one by one counts as
+///   primitives. A piece that planes divide takes less than 500 bytes, and handed out what its vertices take.
 /// - Ends on every input. A piece is cut by the plane of a primitive once at most, so one of k primitives makes at most
 ///   1 + (k − 1) + (k − 1)(k − 2)/2 pieces, as many as k − 1 lines cut a convex polygon into.
 /// - Of equal depths, what is not seen, and without an eye: as [`order`].
@@ -162,15 +211,40 @@ pub fn order_counted(
 /// surface generation by a priori tree structures», 1980.
 #[must_use]
 pub fn order_by_cutting(polygons: &[Polygon], eye: DVec4) -> Vec<(usize, Polygon)> {
-    order_by_cutting_counted(polygons, eye, &mut ())
+    fast::order_by_cutting(polygons, eye, &mut ())
 }
 
-/// [`order_by_cutting`], counting as [`order_counted`] does; what is compared to choose a cut is counted too.
+/// Which primitive hides part of which: `[front, back]` for each such pair, sorted.
+///
+/// # Properties
+///
+/// Two that cross stand there both ways round. Of two at the same depth the one submitted first hides the other.
+/// An order back to front puts every back before its front.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_hsr::painter::hiding_pairs;
+/// use ombra_hsr::polygon::Polygon;
+/// use ombra_math::glam::{DVec3, DVec4};
+///
+/// let square = |z: f64| Polygon {
+///     vertices: [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, z)).to_vec(),
+/// };
+/// // Seen from above, the second lies over the first.
+/// assert_eq!(hiding_pairs(&[square(0.0), square(2.0)], DVec4::Z), [[1, 0]]);
+/// ```
+///
+/// # References
+///
+/// Grafica 3, «Rimozione delle Superfici Nascoste»: nearer objects hide farther ones, in whole or in part.
 #[must_use]
-pub fn order_by_cutting_counted(
-    polygons: &[Polygon],
-    eye: DVec4,
-    work: &mut impl Count,
-) -> Vec<(usize, Polygon)> {
-    DepthSort::new(polygons, eye, work).order_by_cutting()
+pub fn hiding_pairs(polygons: &[Polygon], eye: DVec4) -> Vec<[usize; 2]> {
+    pairs::hiding_pairs(polygons, eye, &mut ())
+}
+
+/// The same answers, each counting its work.
+pub mod counted {
+    pub use super::fast::{order, order_by_cutting};
+    pub use super::pairs::hiding_pairs;
 }

@@ -101,6 +101,31 @@ impl From<BufferError> for PictureError {
     }
 }
 
+/// [`paint`], counting what [`fill_counted`] counts: vertices after clipping, edge records, fragments.
+///
+/// # Errors
+///
+/// As [`paint`].
+pub fn paint_plain<'a>(
+    parts: impl IntoIterator<Item = (usize, &'a Polygon)>,
+    camera: &Camera,
+    work: &mut impl Count,
+) -> Result<IdBuffer, PictureError> {
+    let mut picture = background(camera)?;
+    let (width, height) = picture.dimensions();
+    // Back to front: each over what is painted already.
+    for (id, polygon) in parts {
+        // Clip and project,
+        let outline = projected(polygon, camera);
+        let number = number(id)?;
+        // then fill.
+        let spans = polygon::counted::fill(&[outline], FillRule::NonZero, width, height, &mut *work)
+            .map_err(|PolygonError::NotFinite { .. }| PictureError::TooFar { id })?;
+        buffers::paint(&mut picture, spans, Luma([number]))?;
+    }
+    Ok(picture)
+}
+
 /// The picture of numbered polygons, each over those before it: the second half of the painter's algorithm.
 ///
 /// # Properties
@@ -147,29 +172,12 @@ pub fn paint<'a>(
     parts: impl IntoIterator<Item = (usize, &'a Polygon)>,
     camera: &Camera,
 ) -> Result<IdBuffer, PictureError> {
-    paint_counted(parts, camera, &mut ())
+    paint_plain(parts, camera, &mut ())
 }
 
-/// [`paint`], counting what [`polygon::counted::fill`] counts: vertices after clipping, edge records, fragments.
-///
-/// # Errors
-///
-/// As [`paint`].
-pub fn paint_counted<'a>(
-    parts: impl IntoIterator<Item = (usize, &'a Polygon)>,
-    camera: &Camera,
-    work: &mut impl Count,
-) -> Result<IdBuffer, PictureError> {
-    let mut picture = background(camera)?;
-    let (width, height) = picture.dimensions();
-    for (id, polygon) in parts {
-        let outline = projected(polygon, camera);
-        let number = number(id)?;
-        let spans = polygon::counted::fill(&[outline], FillRule::NonZero, width, height, work)
-            .map_err(|PolygonError::NotFinite { .. }| PictureError::TooFar { id })?;
-        buffers::paint(&mut picture, spans, Luma([number]))?;
-    }
-    Ok(picture)
+/// The same answers, each counting its work.
+pub mod counted {
+    pub use super::paint_plain as paint;
 }
 
 /// The polygons as one mesh, each as a fan round its first vertex, and the polygon that each triangle is of.

@@ -3,7 +3,7 @@
 
 mod truth;
 
-use ombra_hsr::picture::{IdBuffer, NOTHING, PictureError, paint_counted, polygons};
+use ombra_hsr::picture::{self, IdBuffer, NOTHING, PictureError, polygons};
 use ombra_hsr::polygon::Polygon;
 use ombra_hsr::z_buffer::{
     Colours, Cull, Depth24, DepthBuffer, DepthFormat, Options, counted,
@@ -149,7 +149,7 @@ impl TrianglesInView {
 
     /// The visible parts, painted.
     pub fn object_space(&self, work: &mut impl Count) -> Answer {
-        let parts = object_space::visible_parts_counted(&self.polygons, EYE, work);
+        let parts = object_space::counted::visible_parts(&self.polygons, EYE, work);
         self.painted(parts.iter().map(|(i, part)| (*i, part)), work)
     }
 
@@ -157,14 +157,14 @@ impl TrianglesInView {
     pub fn object_space_of(&self, some: &[usize], work: &mut impl Count) -> Answer {
         let polygons = some.iter().filter_map(|&i| self.polygons.get(i).cloned());
         let polygons: Vec<_> = polygons.collect();
-        let parts = object_space::visible_parts_counted(&polygons, EYE, work);
+        let parts = object_space::counted::visible_parts(&polygons, EYE, work);
         let number = |i: usize| some.get(i).copied().unwrap_or(i);
         self.painted(parts.iter().map(|(i, part)| (number(*i), part)), work)
     }
 
     /// Back to front, cut where there is no order.
     pub fn painter(&self, work: &mut impl Count) -> Answer {
-        let pieces = painter::order_by_cutting_counted(&self.polygons, EYE, work);
+        let pieces = painter::counted::order_by_cutting(&self.polygons, EYE, work);
         self.painted(pieces.iter().map(|(i, piece)| (*i, piece)), work)
     }
 
@@ -191,7 +191,8 @@ impl TrianglesInView {
         parts: impl IntoIterator<Item = (usize, &'a Polygon)>,
         work: &mut impl Count,
     ) -> Answer {
-        let picture: Result<IdBuffer, PictureError> = paint_counted(parts, &self.camera, work);
+        let picture: Result<IdBuffer, PictureError> =
+            picture::counted::paint(parts, &self.camera, work);
         picture.ok()
     }
 

@@ -1,5 +1,6 @@
 use super::*;
-use crate::picture::{paint_counted, polygons};
+use crate::picture::counted::paint;
+use crate::picture::polygons;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use ombra_math::solids::{cuboid, slide_cube, sphere, tetrahedron, torus};
@@ -119,7 +120,7 @@ fn culling_halves_the_fragments_of_closed_solids() {
             let (all, kept) = (polygons(&mesh), visible_on_screen(&mesh, &camera));
             let fragments = |ids: &[usize]| {
                 let mut work = Work::default();
-                paint_counted(ids.iter().map(|&i| (i, &all[i])), &camera, &mut work).unwrap();
+                paint(ids.iter().map(|&i| (i, &all[i])), &camera, &mut work).unwrap();
                 work.fragments
             };
             let everything: Vec<usize> = (0..all.len()).collect();

@@ -1,5 +1,7 @@
 //! Which piece of a ring is cut, and by whose plane.
 
+use core::cell::OnceCell;
+
 use ombra_math::glam::DVec4;
 use ombra_math::work::Count;
 
@@ -8,23 +10,35 @@ use super::piece::{Knife, Piece};
 use crate::pair::Pair;
 use crate::polygon::Polygon;
 
-/// What pieces are seen from, and what they were before the first cut.
-pub(super) struct Scene<'a> {
-    pub(super) polygons: &'a [Polygon],
+/// The planes of the primitives, and what pieces are seen from.
+pub(super) struct Planes<'a> {
+    polygons: &'a [Polygon],
     pub(super) eye: DVec4,
     pub(super) view: View,
+    /// Each made when it is first asked for.
+    knives: Vec<OnceCell<Option<Knife>>>,
 }
 
-impl Scene<'_> {
+impl<'a> Planes<'a> {
+    pub(super) fn new(polygons: &'a [Polygon], eye: DVec4) -> Self {
+        Self {
+            polygons,
+            eye,
+            view: View::of(eye),
+            knives: polygons.iter().map(|_| OnceCell::new()).collect(),
+        }
+    }
+
     /// The place in the ring of a piece to cut, and its halves; `None` if no plane of one passes through another.
     ///
     /// ```text
-    /// ring: P₀ hides P₁ hides … hides P₀          cut Pᵢ by the plane of another, its neighbours' first
+    /// ring: P₀ hides P₁ hides … hides P₀
+    /// cut:  Pᵢ by the plane of another, its neighbours' first
     /// best: no half of Pᵢ hides Pᵢ₊₁ and is hidden by Pᵢ₋₁, so the ring is open
     /// ```
     ///
     /// Any cut will do in the end; one that opens the ring at once saves pieces.
-    pub(super) fn cut<'a>(
+    pub(super) fn cut(
         &self,
         ring: &[&Piece<'a>],
         work: &mut impl Count,
@@ -38,11 +52,10 @@ impl Scene<'_> {
             for i in 0..n {
                 let (before, piece, after) = (at(i + n - 1)?, at(i)?, at(i + 1)?);
                 let (knife, own) = (knives.get((i + step) % n)?, knives.get(i)?);
-                let planes = knife.as_ref().zip(own.as_ref());
-                let Some(halves) = planes.and_then(|(knife, own)| piece.cut(knife, own, self))
-                else {
-                    continue;
-                };
+                let halves = knife
+                    .zip(*own)
+                    .and_then(|(knife, own)| piece.cut(knife, own, self.eye, &self.view));
+                let Some(halves) = halves else { continue };
                 let mut closes =
                     |half: &Piece| self.hides(before, half, work) && self.hides(half, after, work);
                 if !halves.iter().any(&mut closes) {
@@ -55,8 +68,10 @@ impl Scene<'_> {
     }
 
     /// The plane of a primitive.
-    pub(super) fn knife(&self, source: usize) -> Option<Knife> {
-        Knife::new(source, self.polygons.get(source)?, self.eye)
+    pub(super) fn knife(&self, source: usize) -> Option<&Knife> {
+        let polygon = self.polygons.get(source)?;
+        let knife = || Knife::new(source, polygon, self.eye);
+        self.knives.get(source)?.get_or_init(knife).as_ref()
     }
 
     /// Whether a piece hides part of another.

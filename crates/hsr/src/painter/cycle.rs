@@ -78,7 +78,8 @@ pub(super) fn ring_on<'a>(path: &[usize], hides: impl Fn(usize) -> &'a [usize]) 
 /// `hides[i]` are all those that i hides.
 ///
 /// ```text
-/// breadth first from 0 back to 0: no edge skips ahead. Of the edges that lead back, the shortest closes the ring.
+/// breadth first from 0 back to 0: no edge skips ahead
+/// of the edges that lead back, the shortest closes the ring
 /// ```
 fn without_shortcuts(hides: &[Vec<usize>]) -> Vec<usize> {
     let mut from: Vec<Option<usize>> = vec![None; hides.len()];

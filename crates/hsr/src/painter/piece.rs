@@ -6,40 +6,41 @@ use std::borrow::Cow;
 
 use ombra_clip::sutherland_hodgman::clip_against_plane;
 use ombra_math::exact::dot;
-use ombra_math::glam::DVec4;
+use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::plane::Plane;
 use ombra_math::work::{Count, Counter};
 
-use super::cut::Scene;
 use super::extent::{Extent, View};
-use crate::pair::{Pair, Seen, compare_seen, convex, tolerance};
+use crate::pair::{CutPlane, Pair, Seen, compare_seen, convex, tolerance};
 use crate::polygon::Polygon;
 
 /// A primitive, or a part of one.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(super) struct Piece<'a> {
     pub(super) polygon: Cow<'a, Polygon>,
     /// The number of the primitive.
     pub(super) source: usize,
     pub(super) extent: Option<Extent>,
-    /// Where it lies from the planes of other primitives, as far as that was asked.
-    sides: Vec<Side>,
+    /// The cuts it was made by, in the order of the primitives whose planes made them.
+    pub(super) cuts: Vec<CutBy>,
     /// Made when it is first compared.
-    seen: OnceCell<Option<Seen>>,
+    seen: OnceCell<Option<Box<Seen>>>,
 }
 
-/// Where a piece lies from the plane of a primitive.
+/// On which side of the plane of a primitive a piece was cut off.
 #[derive(Clone, Copy)]
-struct Side {
-    of: usize,
-    is_near: bool,
+pub(super) struct CutBy {
+    pub(super) source: usize,
+    pub(super) is_near: bool,
 }
 
 /// The plane of a primitive that cuts others.
 pub(super) struct Knife {
-    source: usize,
+    pub(super) source: usize,
     /// Its front towards the eye.
     plane: Plane,
+    /// The same, for measuring many pieces.
+    level: CutPlane,
     /// How the primitive's vertices turn as seen.
     turning: Ordering,
     /// The primitive's largest coordinate.
@@ -62,6 +63,7 @@ impl Knife {
         Some(Self {
             source,
             plane,
+            level: CutPlane::of(plane)?,
             turning,
             scale: polygon.scale(),
         })
@@ -73,12 +75,12 @@ impl<'a> Piece<'a> {
         Self::of(source, Cow::Borrowed(polygon), Vec::new(), view)
     }
 
-    fn of(source: usize, polygon: Cow<'a, Polygon>, sides: Vec<Side>, view: &View) -> Self {
+    fn of(source: usize, polygon: Cow<'a, Polygon>, cuts: Vec<CutBy>, view: &View) -> Self {
         Self {
             extent: view.extent(&polygon),
             polygon,
             source,
-            sides,
+            cuts,
             seen: OnceCell::new(),
         }
     }
@@ -88,20 +90,21 @@ impl<'a> Piece<'a> {
         self.extent.map_or(f64::INFINITY, |e| e.distance)
     }
 
-    /// Whether it is known to lie on the eye's side of the plane of `source`, or on the other.
+    /// Whether it was cut off on the eye's side of the plane of `source`, or on the other.
     fn is_near(&self, source: usize) -> Option<bool> {
-        let side = self.sides.iter().find(|side| side.of == source)?;
-        Some(side.is_near)
+        let at = self.cuts.binary_search_by_key(&source, |cut| cut.source);
+        Some(self.cuts.get(at.ok()?)?.is_near)
     }
 
     /// How it and another piece hide each other; never [`Pair::Coplanar`]: the one submitted first is then in front.
     ///
     /// ```text
-    /// P and Q on two sides of a plane:    the one on the eye's side is hidden by nothing of the other
+    /// P and Q on two sides of a plane:
+    ///                            the one on the eye's side is hidden by nothing of the other
     /// … and of another, the other way:    they share no sight line
     /// ```
     ///
-    /// Pieces of one primitive lie side by side. Known sides come before a comparison, which sees rounded vertices.
+    /// Pieces of one primitive lie side by side. Cuts come before a comparison, which sees rounded vertices.
     pub(super) fn compare(&self, other: &Self, eye: DVec4, work: &mut impl Count) -> Pair {
         if self.source == other.source {
             return Pair::Apart;
@@ -114,10 +117,10 @@ impl<'a> Piece<'a> {
             || other.is_near(self.source).is_some_and(|near| !near);
         let mut is_farther = self.is_near(other.source).is_some_and(|near| !near)
             || other.is_near(self.source).is_some_and(|near| near);
-        for side in &self.sides {
-            if let Some(other_near) = other.is_near(side.of) {
-                is_nearer |= side.is_near && !other_near;
-                is_farther |= !side.is_near && other_near;
+        for cut in &self.cuts {
+            if let Some(other_near) = other.is_near(cut.source) {
+                is_nearer |= cut.is_near && !other_near;
+                is_farther |= !cut.is_near && other_near;
             }
         }
         if is_nearer && is_farther {
@@ -137,31 +140,58 @@ impl<'a> Piece<'a> {
     }
 
     fn seen(&self, eye: DVec4) -> Option<&Seen> {
-        let seen = self.seen.get_or_init(|| Seen::new(&self.polygon, eye));
-        seen.as_ref()
+        let seen = || Seen::new(&self.polygon, eye).map(Box::new);
+        self.seen.get_or_init(seen).as_deref()
+    }
+
+    /// Forgets what only comparisons need, which is most of its memory.
+    pub(super) fn forget_sight(&mut self) {
+        self.seen = OnceCell::new();
+    }
+
+    /// As it is handed out.
+    pub(super) fn into_part(self) -> (usize, Polygon) {
+        (self.source, self.polygon.into_owned())
     }
 
     /// The parts on the eye's side of a plane and beyond it; `own` is the plane that the piece lies in.
     ///
-    /// `None` where the plane does not pass through the inside, or was asked for before.
-    pub(super) fn cut(&self, knife: &Knife, own: &Knife, scene: &Scene) -> Option<[Self; 2]> {
+    /// `None` where the plane does not pass through the inside, or has cut before.
+    pub(super) fn cut(
+        &self,
+        knife: &Knife,
+        own: &Knife,
+        eye: DVec4,
+        view: &View,
+    ) -> Option<[Self; 2]> {
         if knife.source == self.source || self.is_near(knife.source).is_some() {
             return None;
         }
-        let [near, far] = self.reach(knife);
+        let [near, far] = self.reach(knife, |v| knife.plane.signed_distance(v));
         if near == 0.0 || far == 0.0 {
             return None;
         }
+        self.halves(knife, own, eye, view)
+    }
+
+    /// [`Self::cut`] at a plane that does pass through the inside; `None` where rounding leaves nothing of a half.
+    pub(super) fn halves(
+        &self,
+        knife: &Knife,
+        own: &Knife,
+        eye: DVec4,
+        view: &View,
+    ) -> Option<[Self; 2]> {
         let half = |plane: &Plane, is_near: bool| {
             let outline = clip_against_plane(&self.polygon.vertices, plane);
-            let vertices = convex(outline, scene.eye, own.turning);
-            let mut sides = self.sides.clone();
-            sides.push(Side {
-                of: knife.source,
-                is_near,
-            });
+            let vertices = convex(outline, eye, own.turning);
+            let mut cuts = Vec::with_capacity(self.cuts.len() + 1);
+            cuts.extend_from_slice(&self.cuts);
+            let at = cuts.partition_point(|cut| cut.source < knife.source);
+            let source = knife.source;
+            cuts.insert(at, CutBy { source, is_near });
             let polygon = Cow::Owned(Polygon { vertices });
-            let piece = Self::of(self.source, polygon, sides, &scene.view);
+            let piece = Self::of(self.source, polygon, cuts, view);
             piece.extent.is_some().then_some(piece)
         };
         Some([
@@ -171,10 +201,10 @@ impl<'a> Piece<'a> {
     }
 
     /// How far it reaches beyond a plane, towards the eye and away from it; 0 within the tolerance of equal depths.
-    fn reach(&self, knife: &Knife) -> [f64; 2] {
+    fn reach(&self, knife: &Knife, distance: impl Fn(DVec3) -> f64) -> [f64; 2] {
         let tolerance = tolerance(knife.scale.max(self.polygon.scale()));
         let vertices = self.polygon.vertices.iter();
-        let distances = vertices.map(|&v| knife.plane.signed_distance(v));
+        let distances = vertices.map(|&v| distance(v));
         distances.fold([0.0, 0.0], |[near, far], d| match d {
             d if d > tolerance => [d.max(near), far],
             d if d < -tolerance => [near, far.max(-d)],
@@ -182,23 +212,29 @@ impl<'a> Piece<'a> {
         })
     }
 
-    /// Settles on which side of a plane it lies, by the vertex farthest from it; says whether that was news.
+    /// Whether it lies on the eye's side of a plane, or if on both, farther on that side; and whether on both.
     ///
     /// In the plane it lies on the eye's side of what was submitted later.
-    pub(super) fn settle(&mut self, knife: &Knife) -> bool {
-        if knife.source == self.source || self.is_near(knife.source).is_some() {
-            return false;
+    pub(super) fn side_of(&self, knife: &Knife) -> Lies {
+        if let Some(is_near) = self.is_near(knife.source) {
+            return Lies {
+                is_near,
+                is_across: false,
+            };
         }
-        let [near, far] = self.reach(knife);
+        let [near, far] = self.reach(knife, |v| knife.level.distance(v));
         let is_near = if near == far {
             self.source < knife.source
         } else {
             near > far
         };
-        self.sides.push(Side {
-            of: knife.source,
-            is_near,
-        });
-        true
+        let is_across = near > 0.0 && far > 0.0;
+        Lies { is_near, is_across }
     }
+}
+
+/// Where a piece lies from a plane.
+pub(super) struct Lies {
+    pub(super) is_near: bool,
+    pub(super) is_across: bool,
 }

@@ -6,6 +6,7 @@ use crate::pair::{Pair, compare};
 
 mod any;
 mod checks;
+mod many;
 mod orders;
 mod parts;
 mod rings;

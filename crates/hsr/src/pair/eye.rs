@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use ombra_math::double_double::{DoubleDouble, UNIT_ROUNDOFF};
 use ombra_math::exact::{Sum, relative};
-use ombra_math::glam::{DVec3, DVec4};
+use ombra_math::glam::{BVec3, DVec3, DVec4};
 use ombra_math::homogeneous::project;
 use ombra_math::plane::Plane;
 use ombra_math::predicates::orient_3d;
@@ -41,6 +41,16 @@ impl Eye {
         }
     }
 
+    /// Whether two points are in line with the eye, where that is plain: they are one, or differ along the axis that
+    /// this is a view along.
+    pub(super) fn sees_as_one(self, a: DVec3, b: DVec3) -> bool {
+        let across = match self {
+            Self::Towards(towards) if is_along_axis(towards) => towards.cmpeq(DVec3::ZERO),
+            _ => BVec3::TRUE,
+        };
+        (a.cmpeq(b) | !across).all()
+    }
+
     /// The plane through two points and the eye, in front of it what turns left: `None` where they are in line with
     /// the eye.
     pub(super) fn plane_through(self, a: DVec3, b: DVec3) -> Option<Plane> {
@@ -64,6 +74,10 @@ impl Eye {
         let coefficient = |i: usize| Sum::of(&[0, 1, 2, 3].map(|j| minor(i, j)).concat());
         plane_of([0, 1, 2, 3].map(coefficient))
     }
+}
+
+fn is_along_axis(v: DVec3) -> bool {
+    v.cmpeq(DVec3::ZERO).bitmask().count_ones() == 2
 }
 
 /// The sign of (AB × AC)·e.

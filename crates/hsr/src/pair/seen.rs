@@ -8,7 +8,7 @@ use ombra_math::predicates::orient_3d;
 use super::bound::Bound;
 use super::eye::Eye;
 use super::outline::convex_from;
-use super::{Depths, Side, tolerance};
+use super::{CutPlane, Depths, tolerance};
 use crate::polygon::Polygon;
 
 /// A polygon as seen from an eye: what comparing and cutting ask for again and again.
@@ -16,7 +16,8 @@ use crate::polygon::Polygon;
 /// # Formula
 ///
 /// ```text
-/// seen through it:  X with πᵢ·X ≥ 0, all i       πᵢ: plane of the eye and the edge Vᵢ Vᵢ₊₁, its front inside
+/// seen through it:  X with πᵢ·X ≥ 0, all i
+///                   πᵢ: plane of the eye and the edge Vᵢ Vᵢ₊₁, its front inside
 /// hidden by it:     of these, X with π·X < 0     π: its own plane, its front towards the eye
 /// ```
 ///
@@ -51,7 +52,7 @@ pub struct Seen {
     span: [DVec3; 3],
     pub(super) scale: f64,
     pub(super) bound: Bound,
-    front: Side,
+    front: CutPlane,
     pub(super) edges: Vec<Edge>,
 }
 
@@ -59,7 +60,7 @@ pub struct Seen {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub(super) ends: [DVec3; 2],
-    inside: Side,
+    inside: CutPlane,
 }
 
 /// The sine of an angle of a degree.
@@ -96,7 +97,7 @@ impl Seen {
         let edges = vertices.iter().zip(next).filter_map(|(&a, &b)| {
             Some(Edge {
                 ends: [a, b],
-                inside: Side::of(eye.plane_through(a, b)?)?,
+                inside: CutPlane::of(eye.plane_through(a, b)?)?,
             })
         });
         let scale = polygon.scale();
@@ -106,12 +107,16 @@ impl Seen {
             span,
             scale,
             bound: Bound::new(eye, &vertices, scale),
-            front: Side::of(plane)?,
+            front: CutPlane::of(plane)?,
             vertices,
         })
     }
 
     /// The largest coordinate of a vertex, without its sign.
+    ///
+    /// # Properties
+    ///
+    /// - Error: 0
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.scale
@@ -119,24 +124,25 @@ impl Seen {
 
     /// Its plane, the front towards the eye.
     #[must_use]
-    pub fn front(&self) -> Side {
+    pub fn front(&self) -> CutPlane {
         self.front
     }
 
     /// The planes through the eye and its edges, their fronts inside.
-    pub fn sides(&self) -> impl Iterator<Item = Side> {
+    pub fn sides(&self) -> impl Iterator<Item = CutPlane> {
         self.edges.iter().map(|edge| edge.inside)
     }
 
     /// The plane through the eye and the line in which the two planes cross, its front where this one is nearer.
     ///
     /// ```text
-    /// Σ = π(E) π' − π'(E) π          E: the eye, homogeneous     π, π': the planes, their fronts towards E
+    /// Σ = π(E) π' − π'(E) π
+    /// E: the eye, homogeneous     π, π': the planes, their fronts towards E
     /// ```
     ///
     /// On π it has the sign of π', on π' the opposite one of π. `None` where the planes are parallel.
-    pub(crate) fn nearer_side(&self, other: &Self) -> Option<Side> {
-        Side::of(
+    pub(crate) fn nearer_side(&self, other: &Self) -> Option<CutPlane> {
+        CutPlane::of(
             self.eye
                 .plane_of_pencil(self.front.plane(), other.front.plane())?,
         )
@@ -151,7 +157,7 @@ impl Seen {
             return false;
         }
         let slack = self.warp() + other.warp() + tolerance(self.scale.max(other.scale));
-        let clear = |of: &Self, from: Side| {
+        let clear = |of: &Self, from: CutPlane| {
             let distances = || of.vertices.iter().map(|&v| from.distance(v));
             distances().all(|d| d > slack) || distances().all(|d| d < -slack)
         };
@@ -217,7 +223,7 @@ impl Seen {
             Ordering::Less
         } else {
             let [a, b] = edge.ends;
-            if v == a || v == b {
+            if self.eye.sees_as_one(v, a) || self.eye.sees_as_one(v, b) {
                 return Ordering::Equal;
             }
             self.eye.turn(a, b, v).unwrap_or(Ordering::Equal)

@@ -26,7 +26,8 @@ pub struct Difference {
 /// what hides a part of A or B, or the line in which they cross:
 ///
 /// ```text
-/// distance = min(to the edges of all primitives, to the lines A ∩ C and B ∩ C for all C)        projected, in pixels
+/// distance = min(to the edges of all primitives, to the lines A ∩ C and B ∩ C for all C)
+///                                                               projected, in pixels
 /// ```
 ///
 /// # Properties
@@ -71,29 +72,29 @@ pub fn compare(
         });
     }
     let mut difference = Difference::default();
-    let mut scene = None;
+    let mut borders = None;
     for ((x, y, a), b) in first.enumerate_pixels().zip(second.pixels()) {
         if a == b {
             continue;
         }
-        let scene = scene.get_or_insert_with(|| Scene::new(polygons, camera));
+        let borders = borders.get_or_insert_with(|| Borders::new(polygons, camera));
         let centre = UVec2::new(x, y).as_dvec2() + 0.5;
         difference.pixels += 1;
         difference.farthest = difference
             .farthest
-            .max(scene.distance([a.0[0], b.0[0]], centre));
+            .max(borders.distance([a.0[0], b.0[0]], centre));
     }
     Ok(difference)
 }
 
-/// What a scene looks like: the outlines in the picture, the planes in clip space.
-struct Scene {
+/// Where a scene's primitives end and cross: the outlines in the picture, the planes in clip space.
+struct Borders {
     size: DVec2,
     outlines: Vec<Vec<DVec2>>,
     planes: Vec<Option<DVec4>>,
 }
 
-impl Scene {
+impl Borders {
     fn new(polygons: &[Polygon], camera: &Camera) -> Self {
         Self {
             size: UVec2::new(camera.viewport.width, camera.viewport.height).as_dvec2(),

@@ -99,7 +99,7 @@ fn only_the_view_volume_is_pictured() {
         ]),
     ];
     let mut work = Work::default();
-    let picture = paint_counted(scene.into_iter().enumerate(), &camera, &mut work).unwrap();
+    let picture = counted::paint(scene.into_iter().enumerate(), &camera, &mut work).unwrap();
     assert_eq!(
         grid(&picture),
         ["........", "........", "00000000", "........"]

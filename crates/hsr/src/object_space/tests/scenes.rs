@@ -61,7 +61,7 @@ fn every_pair_once() {
             .map(|i| square(0.0, 0.0, f64::from(i), 1.0))
             .collect();
         let mut work = Work::default();
-        let parts = visible_parts_counted(&scene, DVec4::Z, &mut work);
+        let parts = visible_parts_plain(&scene, DVec4::Z, &mut work);
         assert_eq!((work.pairs, parts.len()), (pairs, usize::from(k > 0)));
     }
 }

@@ -8,6 +8,7 @@ use super::checks::{check_pieces, check_sight, hides, is_back_to_front, some_ord
 use super::scenes::{self, point_of, polygon, scene};
 use super::*;
 use crate::painter::extent::View;
+use crate::painter::fast::DepthSort;
 use crate::pair::convex;
 
 proptest! {
@@ -55,7 +56,7 @@ proptest! {
     #[test]
     fn both_forms_agree(scene in prop_oneof![scene(8), scene(40)], eye in scenes::eye()) {
         let found = order(&scene, eye);
-        prop_assert_eq!(&found, &order_plain(&scene, eye));
+        prop_assert_eq!(&found, &order_plain(&scene, eye, &mut ()));
         // The same place by another w.
         if eye.w == 1.0 {
             prop_assert_eq!(&found, &order(&scene, eye * -2.0));
@@ -87,8 +88,11 @@ proptest! {
     ) {
         let pieces = order_by_cutting(&scene, eye);
         check_pieces(&scene, &pieces)?;
+        // By planes as soon as there is a ring.
+        let divided = DepthSort::new(&scene, eye, &mut ()).by_cutting(0);
+        check_pieces(&scene, &divided)?;
         // What was cut turns one way at every corner, to the last bit.
-        for (i, piece) in pieces.iter().filter(|(i, piece)| *piece != scene[*i]) {
+        for (i, piece) in pieces.iter().chain(&divided).filter(|(i, piece)| *piece != scene[*i]) {
             let turns = |way| convex(piece.vertices.clone(), eye, way) == piece.vertices;
             prop_assert!(turns(Ordering::Less) || turns(Ordering::Greater), "{i}: {piece:?}");
         }
@@ -99,15 +103,21 @@ proptest! {
         } else {
             prop_assert!(pieces.len() > scene.len());
         }
+        if whole.is_ok() {
+            prop_assert_eq!(&divided, &pieces);
+        }
         // k − 1 lines cut a convex polygon into 1 + (k − 1) + (k − 1)(k − 2)/2 parts at most.
         let k = scene.len();
         for i in 0..k {
-            let parts = pieces.iter().filter(|(source, _)| *source == i).count();
-            prop_assert!(parts <= (k * k - k + 2) / 2, "{i}: {parts}");
+            for pieces in [&pieces, &divided] {
+                let parts = pieces.iter().filter(|(source, _)| *source == i).count();
+                prop_assert!(parts <= (k * k - k + 2) / 2, "{i}: {parts}");
+            }
         }
         for (index, weights) in sights {
             if let Some(primitive) = (k > 0).then(|| index.get(&scene)) {
                 check_sight(&scene, &pieces, eye, point_of(primitive, weights))?;
+                check_sight(&scene, &divided, eye, point_of(primitive, weights))?;
             }
         }
     }
@@ -127,7 +137,7 @@ proptest! {
         }
         for eye in [DVec4::from_array(eye), DVec4::Z, DVec4::W] {
             let found = order(&scene, eye);
-            prop_assert_eq!(&found, &order_plain(&scene, eye));
+            prop_assert_eq!(&found, &order_plain(&scene, eye, &mut ()));
             let pieces = order_by_cutting(&scene, eye);
             prop_assert!(pieces.len() >= scene.len());
         }

@@ -121,7 +121,7 @@ fn degenerate() {
     ] {
         assert_eq!(order(scene, eye), Ok(expected.to_vec()), "{scene:?} {eye}");
         assert_eq!(
-            order_plain(scene, eye),
+            order_plain(scene, eye, &mut ()),
             Ok(expected.to_vec()),
             "{scene:?} {eye}"
         );
@@ -163,15 +163,15 @@ fn inside_a_cube() {
 }
 
 #[test]
-fn counted() {
+fn what_is_counted() {
     let scene: Vec<_> = (0..100)
         .map(|i| square(3.0 * f64::from(i), 0.0, 0.0, 1.0))
         .collect();
     let mut work = Work::default();
-    let all = order_plain_counted(&scene, ABOVE, &mut work);
+    let all = order_plain(&scene, ABOVE, &mut work);
     assert_eq!(work.pairs, 100 * 99 / 2);
     let mut work = Work::default();
-    assert_eq!(order_counted(&scene, ABOVE, &mut work), all);
+    assert_eq!(counted::order(&scene, ABOVE, &mut work), all);
     // Side by side: no two extents overlap.
     assert_eq!(work.pairs, 0);
     assert!(work.comparisons > 0);
@@ -181,7 +181,7 @@ fn counted() {
         .collect();
     let mut work = Work::default();
     assert_eq!(
-        order_counted(&stack, ABOVE, &mut work),
+        counted::order(&stack, ABOVE, &mut work),
         Ok((0..100).collect())
     );
     assert_eq!(work.pairs, 0);
@@ -209,7 +209,7 @@ fn a_hundred_thousand() {
         .collect();
     for eye in [DVec4::W, DVec4::new(1.0, 2.0, 5.0, 1.0), ABOVE] {
         let mut work = Work::default();
-        let pieces = order_by_cutting_counted(&scene, eye, &mut work);
+        let pieces = counted::order_by_cutting(&scene, eye, &mut work);
         assert!(pieces.len() >= k);
         assert!(work.pairs < 20 * k as u64, "{eye}: {work}");
     }

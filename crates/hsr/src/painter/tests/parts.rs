@@ -2,14 +2,21 @@
 
 use super::scenes::{polygon, square};
 use super::*;
-use crate::painter::cut::Scene;
 use crate::painter::extent::View;
-use crate::painter::piece::{Knife, Piece};
+use crate::painter::piece::{CutBy, Knife, Piece};
 use crate::painter::tree::Tree;
 
-/// Sides once settled come before any comparison, whichever of the two they were settled for, and about whatever plane.
+/// As if the piece had been cut off from others by this plane.
+fn cut_off(piece: &mut Piece, knife: &Knife) {
+    let source = knife.source;
+    let is_near = piece.side_of(knife).is_near;
+    piece.cuts.push(CutBy { source, is_near });
+    piece.cuts.sort_by_key(|cut| cut.source);
+}
+
+/// Sides known from cuts come before any comparison, whichever of the two they are known of, and about whatever plane.
 #[test]
-fn settled_sides_come_first() {
+fn known_sides_come_first() {
     // Two that cross, z = x and z = −x; the first reaches higher, the second lower.
     let crossing = |slope: f64, [from, to]: [f64; 2]| {
         polygon(&[
@@ -27,8 +34,7 @@ fn settled_sides_come_first() {
     let piece = |i: usize, settled: &[usize]| {
         let mut piece = Piece::whole(i, &scene[i], &view);
         for &source in settled {
-            assert!(piece.settle(&knife(source)));
-            assert!(!piece.settle(&knife(source)));
+            cut_off(&mut piece, &knife(source));
         }
         piece
     };
@@ -53,7 +59,10 @@ fn settled_sides_come_first() {
         let settled = |i: usize, of: &[usize]| {
             let mut piece = Piece::whole(i, &scene[i], &view);
             for &source in of {
-                piece.settle(&Knife::new(source, &scene[source], -ABOVE).unwrap());
+                cut_off(
+                    &mut piece,
+                    &Knife::new(source, &scene[source], -ABOVE).unwrap(),
+                );
             }
             piece
         };
@@ -67,22 +76,21 @@ fn settled_sides_come_first() {
     for (piece, plane) in [(0, 1), (1, 0)] {
         let settled = || {
             let mut settled = Piece::whole(piece, &twins[piece], &view);
-            settled.settle(&Knife::new(plane, &twins[plane], ABOVE).unwrap());
+            cut_off(
+                &mut settled,
+                &Knife::new(plane, &twins[plane], ABOVE).unwrap(),
+            );
             settled
         };
         let other = Piece::whole(plane, &twins[plane], &view);
         let nearer = [Pair::FirstNearer, Pair::SecondNearer][piece];
         assert_eq!(settled().compare(&other, ABOVE, &mut ()), nearer);
-        let whole_scene = Scene {
-            polygons: &twins,
-            eye: ABOVE,
-            view: View::of(ABOVE),
-        };
         let [knife, own] = [2, piece].map(|i| Knife::new(i, &twins[i], ABOVE).unwrap());
-        for mut half in settled().cut(&knife, &own, &whole_scene).unwrap() {
+        for half in settled().cut(&knife, &own, ABOVE, &view).unwrap() {
             assert_eq!(half.compare(&other, ABOVE, &mut ()), nearer);
-            let plane = Knife::new(plane, &twins[plane], ABOVE).unwrap();
-            assert!(!half.settle(&knife) && !half.settle(&plane));
+            let cuts: Vec<_> = half.cuts.iter().map(|cut| cut.source).collect();
+            assert_eq!(cuts, [plane, 2]);
+            assert!(half.cut(&knife, &own, ABOVE, &view).is_none());
         }
     }
 }
@@ -105,7 +113,10 @@ fn on_two_sides_of_two_planes() {
     let piece = |i: usize, settled: &[usize]| {
         let mut piece = Piece::whole(i, &scene[i], &view);
         for &source in settled {
-            piece.settle(&Knife::new(source, &scene[source], ABOVE).unwrap());
+            cut_off(
+                &mut piece,
+                &Knife::new(source, &scene[source], ABOVE).unwrap(),
+            );
         }
         piece
     };

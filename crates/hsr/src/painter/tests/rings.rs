@@ -18,7 +18,7 @@ fn three_sticks_in_a_cycle() {
             cycle.to_string(),
             "no order back to front: primitive 0 hides part of 2, 2 of 1, 1 of 0"
         );
-        assert_eq!(order_plain(&scene, eye), Err(cycle));
+        assert_eq!(order_plain(&scene, eye, &mut ()), Err(cycle));
         // Any two have an order, and so have four pieces.
         for i in 0..3 {
             let mut two = scene.to_vec();
@@ -74,7 +74,7 @@ fn a_ring_of_near_ties() {
     let scene = [0.0, 0.75, 1.5].map(|height| square(0.0, 0.0, height * delta, 1.0));
     let cycle = order(&scene, ABOVE).unwrap_err();
     assert_eq!(cycle.primitives, [0, 1, 2]);
-    assert_eq!(order_plain(&scene, ABOVE), Err(cycle));
+    assert_eq!(order_plain(&scene, ABOVE, &mut ()), Err(cycle));
     let pieces = order_by_cutting(&scene, ABOVE);
     let mut sorted = numbers(&pieces);
     sorted.sort_unstable();
@@ -123,7 +123,7 @@ fn a_long_ring_is_named_whole() {
     // i + 1 hides i.
     let expected: Vec<_> = core::iter::once(0).chain((1..n).rev()).collect();
     assert_eq!(cycle.primitives, expected);
-    assert_eq!(order_plain(&scene, ABOVE), Err(cycle));
+    assert_eq!(order_plain(&scene, ABOVE, &mut ()), Err(cycle));
     let pieces = order_by_cutting(&scene, ABOVE);
     check_pieces(&scene, &pieces).unwrap();
     // One cut is enough to open a ring.

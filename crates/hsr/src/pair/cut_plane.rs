@@ -10,13 +10,13 @@ use ombra_math::plane::Plane;
 /// Distances are right within half the [`tolerance`](super::tolerance) of the largest coordinate of the vertex and the
 /// points the plane was made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Side {
+pub struct CutPlane {
     /// A quarter long: products with the largest doubles stay finite.
     normal: DVec3,
     d: f64,
 }
 
-impl Side {
+impl CutPlane {
     /// `plane` made ready for measuring, `None` where its normal is 0 or a coefficient is not finite.
     #[must_use]
     pub fn of(plane: Plane) -> Option<Self> {
@@ -60,6 +60,10 @@ impl Side {
     }
 
     /// How far `v` lies from the plane, negative behind it.
+    ///
+    /// # Properties
+    ///
+    /// - Error: ½ [`tolerance`](super::tolerance)(M), M the largest coordinate of `v` and the points the plane was made of
     #[inline]
     #[must_use]
     pub fn distance(&self, v: DVec3) -> f64 {
@@ -89,11 +93,11 @@ impl Side {
     /// # Examples
     ///
     /// ```
-    /// use ombra_hsr::pair::Side;
+    /// use ombra_hsr::pair::CutPlane;
     /// use ombra_math::glam::DVec3;
     /// use ombra_math::plane::Plane;
     ///
-    /// let ground = Side::of(Plane::GROUND).unwrap();
+    /// let ground = CutPlane::of(Plane::GROUND).unwrap();
     /// let wall = [-DVec3::Y, DVec3::X - DVec3::Y, DVec3::X + DVec3::Y, DVec3::Y];
     /// let [above, below] = ground.split(&wall, 0.0);
     /// assert_eq!(above, [DVec3::X, DVec3::X + DVec3::Y, DVec3::Y, DVec3::ZERO]);

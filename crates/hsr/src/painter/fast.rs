@@ -1,16 +1,4 @@
 //! The depth sort: the farthest first, unless it hides what is not painted yet; and what to do about a ring.
-//!
-//! # Why cutting ends
-//!
-//! A ring lasts only while one of its pieces is not known to lie on one side of the plane of another. Suppose all are
-//! known, and take the plane of a piece R: a piece beyond it hides neither R nor what is on the eye's side, and R hides
-//! nothing on the eye's side. So the ring lies wholly on one side, and the same holds there, until a single
-//! primitive is left, whose pieces do not hide each other. That is how a tree of planes orders a scene, and it needs
-//! nothing but sides that are settled once, however vertices are rounded.
-//!
-//! So each ring settles a side: by a cut, if a plane passes through a piece, otherwise by where its vertices lie. A
-//! piece has at most k − 1 sides to settle, which bounds the number of cuts in a row. Between two of these, the path of
-//! pieces that wait grows to a ring or everything is painted.
 
 use core::cmp::Ordering;
 use std::collections::{BinaryHeap, HashMap};
@@ -18,12 +6,40 @@ use std::collections::{BinaryHeap, HashMap};
 use ombra_math::glam::DVec4;
 use ombra_math::work::Count;
 
-use super::cut::Scene;
+use super::cut::Planes;
 use super::cycle::{Cycle, ring_on};
-use super::extent::View;
+use super::divide::by_planes;
 use super::piece::Piece;
 use super::tree::Tree;
 use crate::polygon::Polygon;
+
+/// [`order`](super::order), counting each pair compared, once, or twice where one of the two waits for the other, and
+/// the tests of two boxes as comparisons.
+///
+/// # Errors
+///
+/// As for [`order`](super::order).
+pub fn order(polygons: &[Polygon], eye: DVec4, work: &mut impl Count) -> Result<Vec<usize>, Cycle> {
+    let mut sort = DepthSort::new(polygons, eye, work);
+    match sort.paint_until_ring() {
+        Some(ring) => Err(Cycle::of(ring)),
+        None => Ok(sort.painted),
+    }
+}
+
+/// [`order_by_cutting`](super::order_by_cutting), counting as [`order`] does; what is compared to choose a cut is
+/// counted too, and a piece held against a plane as a comparison.
+#[must_use]
+pub fn order_by_cutting(
+    polygons: &[Polygon],
+    eye: DVec4,
+    work: &mut impl Count,
+) -> Vec<(usize, Polygon)> {
+    DepthSort::new(polygons, eye, work).by_cutting(polygons.len().max(FEW))
+}
+
+/// So many rings are opened one by one, however few the primitives.
+const FEW: usize = 64;
 
 #[derive(Clone, Copy)]
 enum State {
@@ -81,7 +97,7 @@ struct Step {
 
 /// What is painted, what waits, and why.
 pub(super) struct DepthSort<'a, 'w, C> {
-    scene: Scene<'a>,
+    planes: Planes<'a>,
     /// The primitives, then what they were cut into.
     pieces: Vec<Piece<'a>>,
     states: Vec<State>,
@@ -98,17 +114,13 @@ pub(super) struct DepthSort<'a, 'w, C> {
 
 impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
     pub(super) fn new(polygons: &'a [Polygon], eye: DVec4, work: &'w mut C) -> Self {
-        let view = View::of(eye);
-        let whole = |(i, polygon)| Piece::whole(i, polygon, &view);
+        let planes = Planes::new(polygons, eye);
+        let whole = |(i, polygon)| Piece::whole(i, polygon, &planes.view);
         let pieces: Vec<_> = polygons.iter().enumerate().map(whole).collect();
         let extents: Vec<_> = pieces.iter().map(|p| p.extent).collect();
         let places = pieces.iter().enumerate();
         Self {
-            scene: Scene {
-                polygons,
-                eye,
-                view,
-            },
+            planes,
             states: vec![State::Waiting; pieces.len()],
             tree: Tree::new(&extents),
             sorted: places.map(|(i, piece)| Place::of(i, piece)).collect(),
@@ -120,32 +132,39 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
         }
     }
 
-    /// The order of the primitives.
-    pub(super) fn order(mut self) -> Result<Vec<usize>, Cycle> {
-        match self.paint_until_ring() {
-            Some(ring) => Err(Cycle::of(ring)),
-            None => Ok(self.painted),
-        }
-    }
-
-    /// The order of pieces, cut where there was none.
-    pub(super) fn order_by_cutting(mut self) -> Vec<(usize, Polygon)> {
+    /// The order of pieces: each ring is opened by a cut, as long as there are few of them and a plane cuts one.
+    pub(super) fn by_cutting(mut self, most: usize) -> Vec<(usize, Polygon)> {
+        let mut cuts = 0;
         while let Some(ring) = self.paint_until_ring() {
             let pieces: Vec<_> = ring.iter().filter_map(|&i| self.pieces.get(i)).collect();
-            let cut = self.scene.cut(&pieces, self.work);
+            let cut = if cuts < most {
+                self.planes.cut(&pieces, self.work)
+            } else {
+                None
+            };
             match cut.and_then(|(i, halves)| Some((*ring.get(i)?, halves))) {
                 Some((piece, halves)) => self.replace(piece, halves),
-                None if self.settle(&ring) => {}
-                // Sides that are settled make no ring; should one be left, any of it may come first.
-                None => self.skip(),
+                None => break,
             }
+            cuts += 1;
         }
-        let take = |i: usize| {
-            let piece = self.pieces.get_mut(i)?;
-            let polygon = core::mem::take(&mut piece.polygon);
-            Some((piece.source, polygon.into_owned()))
-        };
-        self.painted.into_iter().filter_map(take).collect()
+        let Self {
+            planes,
+            mut pieces,
+            states,
+            painted,
+            work,
+            ..
+        } = self;
+        let mut take = |i: usize| pieces.get_mut(i).map(core::mem::take);
+        let painted: Vec<Piece> = painted.into_iter().filter_map(&mut take).collect();
+        let is_left =
+            |(_, state): &(usize, &State)| matches!(state, State::Waiting | State::Open(_));
+        let left = states.iter().enumerate().filter(is_left);
+        let mut left: Vec<Piece> = left.filter_map(|(i, _)| take(i)).collect();
+        left.sort_by(|a, b| b.distance().total_cmp(&a.distance()));
+        let painted = painted.into_iter().map(Piece::into_part);
+        painted.chain(by_planes(&planes, left, work)).collect()
     }
 
     fn state(&self, piece: usize) -> State {
@@ -187,6 +206,9 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
             self.set_state(step.piece, State::Painted);
             self.tree.remove(step.piece);
             self.painted.push(step.piece);
+            if let Some(piece) = self.pieces.get_mut(step.piece) {
+                piece.forget_sight();
+            }
         }
     }
 
@@ -230,7 +252,7 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
 
     fn hides(&mut self, front: usize, back: usize) -> bool {
         let pair = self.pieces.get(front).zip(self.pieces.get(back));
-        pair.is_some_and(|(front, back)| self.scene.hides(front, back, self.work))
+        pair.is_some_and(|(front, back)| self.planes.hides(front, back, self.work))
     }
 
     /// The pieces of the path from `start` on that make a ring.
@@ -253,26 +275,6 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
             let at = step.done..(step.done + 1).min(step.hides.len());
             step.hides.splice(at, hidden.into_iter().flatten());
         }
-    }
-
-    /// Settles where the pieces of a ring that no plane cuts lie from each other's planes, and starts the path anew;
-    /// says whether any of that was news.
-    fn settle(&mut self, ring: &[usize]) -> bool {
-        let sources = ring.iter().filter_map(|&i| self.pieces.get(i));
-        let knives: Vec<_> = sources.filter_map(|p| self.scene.knife(p.source)).collect();
-        let mut is_news = false;
-        for &member in ring {
-            if let Some(piece) = self.pieces.get_mut(member) {
-                for knife in &knives {
-                    is_news |= piece.settle(knife);
-                }
-            }
-        }
-        if is_news {
-            self.take_back(0);
-            self.found.clear();
-        }
-        is_news
     }
 
     /// Ends the path before this place.
@@ -307,63 +309,9 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
         }
         self.tree.remove(piece);
         self.set_state(piece, State::Cut([first, first + 1]));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use ombra_math::glam::DVec3;
-
-    /// What a path is taken back from is painted all the same.
-    #[test]
-    fn settling_loses_nothing() {
-        let square = |z: f64| Polygon {
-            vertices: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
-                .map(|[x, y]| DVec3::new(x, y, z))
-                .to_vec(),
-        };
-        let scene = [0.0, 1.0, 2.0].map(square);
-        let mut work = ();
-        let mut sort = DepthSort::new(&scene, DVec4::Z, &mut work);
-        let first = sort.sorted.pop().unwrap().piece;
-        sort.open(first);
-        assert!(sort.settle(&[0, 1]));
-        assert!(!sort.settle(&[0, 1]));
-        assert_eq!(sort.order(), Ok(vec![0, 1, 2]));
-    }
-
-    /// Nor is what the path began with, which nothing hides: it goes back into the sort.
-    #[test]
-    fn settling_loses_no_beginning() {
-        let triangle = |x: f64| Polygon {
-            vertices: [[x, 0.0], [x + 1.0, 0.0], [x, 1.0]]
-                .map(|[x, y]| DVec3::new(x, y, 0.0))
-                .to_vec(),
-        };
-        let scene = [0.0, 10.0].map(triangle);
-        let mut work = ();
-        let mut sort = DepthSort::new(&scene, DVec4::Z, &mut work);
-        let first = sort.sorted.pop().unwrap().piece;
-        sort.open(first);
-        assert!(sort.settle(&[0, 1]));
-        assert_eq!(sort.order(), Ok(vec![0, 1]));
-    }
-
-    /// A ring whose sides are settled is none: what its pieces hide is asked again.
-    #[test]
-    fn a_settled_ring_is_open() {
-        // z = x and z = -x cross; the first reaches higher.
-        let crossing = |slope: f64| Polygon {
-            vertices: [[-1.0, -1.0], [2.0, -1.0], [2.0, 1.0], [-1.0, 1.0]]
-                .map(|[x, y]| DVec3::new(x, y, slope * x))
-                .to_vec(),
-        };
-        let scene = [1.0, -1.0].map(crossing);
-        let mut work = ();
-        let mut sort = DepthSort::new(&scene, DVec4::Z, &mut work);
-        let ring = sort.paint_until_ring().unwrap();
-        assert!(sort.settle(&ring));
-        assert_eq!(sort.order(), Ok(vec![1, 0]));
+        // What hides it is still asked about the whole.
+        if let Some(piece) = self.pieces.get_mut(piece) {
+            piece.forget_sight();
+        }
     }
 }
