@@ -101,7 +101,7 @@ impl From<BufferError> for PictureError {
     }
 }
 
-/// [`paint`], counting what [`fill_counted`] counts: vertices after clipping, edge records, fragments.
+/// [`paint`], counting what [`polygon::counted::fill`] counts: vertices after clipping, edge records, fragments.
 ///
 /// # Errors
 ///

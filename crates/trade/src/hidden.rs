@@ -129,7 +129,7 @@ impl TrianglesInView {
 
     /// Every ray with every primitive.
     pub fn image_space(&self, work: &mut impl Count) -> Answer {
-        image_space::cast_plain_counted(&self.polygons, &self.camera, work).ok()
+        image_space::cast_plain(&self.polygons, &self.camera, work).ok()
     }
 
     /// Every ray with the primitives about its pixel.
@@ -137,7 +137,7 @@ impl TrianglesInView {
         let cast = || {
             let mut counted = Work::default();
             let picture =
-                image_space::cast_counted(&self.polygons, &self.camera, &mut counted).ok();
+                image_space::counted::cast(&self.polygons, &self.camera, &mut counted).ok();
             (picture, counted)
         };
         let (picture, counted) = self.thread.as_ref()?.install(cast);

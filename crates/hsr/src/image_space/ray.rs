@@ -202,11 +202,13 @@ impl Target {
             let least = d.value.abs() - d.bound;
             // |N̂/D̂ − N/D| ≤ (δN + |t| δD) / (|D̂| − δD), and the division rounds.
             let error = (n.bound + t.abs() * d.bound) / least + f64::EPSILON * t.abs();
-            if least > 0.0 && error <= t.abs() * ACCURACY {
+            // Below the normal doubles a bound may vanish, and with it the sign.
+            if least > 0.0 && error <= t.abs() * ACCURACY && t.abs() >= f64::MIN_POSITIVE {
                 return Some(Meeting {
                     t,
                     error,
                     along: d.value > 0.0,
+                    is_behind: t < 0.0,
                 });
             }
         }
@@ -217,11 +219,13 @@ impl Target {
     fn meet_exactly(&self, ray: &Ray) -> Option<Meeting> {
         let speed = self.exact_speed(ray);
         let sign = speed.sign().filter(|&sign| sign != Ordering::Equal)?;
-        let t = self.exact_distance(ray).quotient(&speed);
+        let distance = self.exact_distance(ray);
+        let t = distance.quotient(&speed);
         t.is_finite().then_some(Meeting {
             t,
             error: f64::EPSILON * t.abs() + f64::from_bits(1),
             along: sign == Ordering::Greater,
+            is_behind: distance.sign() == Some(sign.reverse()),
         })
     }
 }
@@ -237,6 +241,8 @@ pub(super) struct Meeting {
     error: f64,
     /// Whether the ray comes through along the normal: D > 0.
     along: bool,
+    /// Whether it does so before its origin: t < 0, also where t is rounded to 0.
+    pub(super) is_behind: bool,
 }
 
 /// Which of two meetings comes first on the ray: exact for ordinary coordinates, by the nearest doubles of t beyond.
@@ -288,13 +294,29 @@ pub(super) fn is_within(ray: &Ray, target: &Target, meeting: &Meeting, limit: &T
 /// The sign of N₁ D₂ − N₂ D₁, or `None` where its parts leave the range of doubles.
 #[cold]
 fn determinant(ray: &Ray, first: &Target, second: &Target) -> Option<Ordering> {
-    let distances = [first, second].map(|target| parts(target.exact_distance(ray)));
-    let speeds = [first, second].map(|target| parts(target.exact_speed(ray)));
-    let ([Some(n1), Some(n2)], [Some(d1), Some(d2)]) = (distances, speeds) else {
-        return None;
-    };
+    sign_of_minor(&Quotient::of(ray, first)?, &Quotient::of(ray, second)?)
+}
+
+/// t = N/D, exactly.
+struct Quotient {
+    n: Vec<f64>,
+    d: Vec<f64>,
+}
+
+impl Quotient {
+    /// `None` where its parts leave the range of doubles.
+    fn of(ray: &Ray, target: &Target) -> Option<Self> {
+        Some(Self {
+            n: parts(target.exact_distance(ray))?,
+            d: parts(target.exact_speed(ray))?,
+        })
+    }
+}
+
+/// The sign of N₁ D₂ − N₂ D₁.
+fn sign_of_minor(a: &Quotient, b: &Quotient) -> Option<Ordering> {
     let mut sum = Sum::default();
-    for (ns, ds, sign) in [(&n1, &d2, 1.0), (&n2, &d1, -1.0)] {
+    for (ns, ds, sign) in [(&a.n, &b.d, 1.0), (&b.n, &a.d, -1.0)] {
         for &n in ns {
             for &d in ds {
                 sum.add([sign, n, d]);
@@ -302,6 +324,64 @@ fn determinant(ray: &Ray, first: &Target, second: &Target) -> Option<Ordering> {
         }
     }
     sum.sign()
+}
+
+/// A primitive that a ray meets.
+#[derive(Clone, Copy)]
+pub(super) struct Met {
+    /// As it was submitted.
+    pub(super) index: usize,
+    pub(super) target: Target,
+    pub(super) meeting: Meeting,
+}
+
+/// Sorts what a ray meets by t and then as submitted: exactly for ordinary coordinates, by the nearest doubles of t
+/// beyond.
+pub(super) fn sort(ray: &Ray, found: &mut [Met]) {
+    found.sort_by(|a, b| a.meeting.t.total_cmp(&b.meeting.t));
+    // What rounding may have mixed up lies side by side: runs in which errors overlap. Twice the error, as its own
+    // bounds are rounded.
+    let mut runs: Vec<(usize, f64)> = Vec::new();
+    for (i, Met { meeting, .. }) in found.iter().enumerate() {
+        let Meeting { t, error, .. } = *meeting;
+        let (low, mut high, mut start) = (t - 2.0 * error, t + 2.0 * error, i);
+        while let Some((before, farthest)) = runs.pop_if(|(_, farthest)| low <= *farthest) {
+            (start, high) = (before, high.max(farthest));
+        }
+        runs.push((start, high));
+    }
+    let mut rest = found;
+    for (start, _) in runs.into_iter().rev() {
+        let (before, run) = rest.split_at_mut(start);
+        if run.len() > 1 {
+            sort_exactly(ray, run);
+        }
+        rest = before;
+    }
+}
+
+/// Each t is made exact once, not once a comparison.
+fn sort_exactly(ray: &Ray, run: &mut [Met]) {
+    let exact = run.iter().map(|met| Quotient::of(ray, &met.target));
+    let mut sorted: Vec<Met> = if let Some(exact) = exact.collect::<Option<Vec<_>>>() {
+        let mut keyed: Vec<_> = exact.into_iter().zip(run.iter().copied()).collect();
+        keyed.sort_by(|(s, a), (t, b)| {
+            let sign = sign_of_minor(s, t).unwrap_or(Ordering::Equal);
+            let is_turned = a.meeting.along != b.meeting.along;
+            let order = if is_turned { sign.reverse() } else { sign };
+            order.then(a.index.cmp(&b.index))
+        });
+        keyed.into_iter().map(|(_, met)| met).collect()
+    } else {
+        let nearest = |met: &Met| {
+            let (n, d) = (met.target.exact_distance(ray), met.target.exact_speed(ray));
+            n.quotient(&d)
+        };
+        let mut keyed: Vec<_> = run.iter().map(|met| (nearest(met), *met)).collect();
+        keyed.sort_by(|(s, a), (t, b)| s.total_cmp(t).then(a.index.cmp(&b.index)));
+        keyed.into_iter().map(|(_, met)| met).collect()
+    };
+    run.swap_with_slice(&mut sorted);
 }
 
 /// A sum as doubles that add up to it exactly.

@@ -1,11 +1,13 @@
+use super::about::is_true;
 use super::*;
 use crate::picture::{compare, paint, polygons};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use ombra_math::glam::{DMat4, DVec2, DVec4};
+use ombra_math::glam::{DMat4, DVec2, DVec3, DVec4};
 use ombra_math::predicates::orient_3d;
 use ombra_math::solids::{cuboid, torus};
 use ombra_math::view::{Viewport, frustum, look_at, orthographic, perspective};
+use ombra_math::work::Work;
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 
@@ -166,7 +168,7 @@ fn a_plane_goes_on_beside_its_primitive_and_behind_the_eye() {
         let picture = cast(&scene, &camera).unwrap();
         for scene in [&scene, &turned] {
             assert_eq!(cast(scene, &camera).unwrap(), picture);
-            assert_eq!(cast_plain(scene, &camera).unwrap(), picture);
+            assert_eq!(cast_plain(scene, &camera, &mut ()).unwrap(), picture);
         }
         picture.get_pixel(1, 1).0[0]
     };
@@ -201,7 +203,7 @@ fn near_and_far_to_the_last_place() {
         let mut turned = wall.clone();
         turned.vertices.reverse();
         for wall in [wall, turned] {
-            let picture = cast_plain(&[wall], &camera).unwrap();
+            let picture = cast_plain(&[wall], &camera, &mut ()).unwrap();
             assert!(picture.pixels().all(|p| p.0 == [seen]), "{z}");
         }
     }
@@ -234,7 +236,7 @@ fn ties_go_to_the_first_submitted() {
     let count = |scene: [&Polygon; 2]| {
         let scene = scene.map(Clone::clone);
         let picture = cast(&scene, &camera).unwrap();
-        assert_eq!(picture, cast_plain(&scene, &camera).unwrap());
+        assert_eq!(picture, cast_plain(&scene, &camera, &mut ()).unwrap());
         [0, 1].map(|id| picture.pixels().filter(|p| p.0 == [id]).count())
     };
     let [seen, all] = count([&small, &large]);
@@ -341,7 +343,7 @@ fn fast_is_plain_far_from_the_origin() {
         };
         assert_eq!(
             cast(&scene, &camera),
-            cast_plain(&scene, &camera),
+            cast_plain(&scene, &camera, &mut ()),
             "{round}"
         );
     }
@@ -390,7 +392,8 @@ fn what_cannot_be_cast() {
         DMat4::NAN,
         DMat4::from_diagonal(DVec4::new(1.0, 0.0, 1.0, 1.0)),
     ] {
-        for cast in [cast, cast_plain] {
+        let plain = |polygons: &[Polygon], camera: &Camera| cast_plain(polygons, camera, &mut ());
+        for cast in [cast, plain] {
             let error = cast(&[], &with(matrix)).unwrap_err();
             assert!(matches!(error, PictureError::NoEye { .. }), "{error}");
         }
@@ -409,14 +412,87 @@ fn what_cannot_be_cast() {
     assert!(cast(&[], &good).unwrap().pixels().all(|p| p.0 == [NOTHING]));
 }
 
+/// The near plane is parallel to the sight lines of the middle column: none of them begins anywhere.
+#[test]
+fn the_error_is_that_of_the_first_pixel() {
+    let rows = [
+        DVec4::X,
+        DVec4::Y,
+        DVec4::new(1.0, 0.0, 1.0, 0.5),
+        DVec4::NEG_Z,
+    ];
+    let [x, y, z, w] = rows;
+    let camera = Camera {
+        view_projection: DMat4::from_cols(x, y, z, w).transpose(),
+        viewport: Viewport {
+            width: 3,
+            height: 200,
+        },
+    };
+    let pixel = UVec2::new(1, 0);
+    for _ in 0..20 {
+        let error = Err(PictureError::NoSightLine { pixel });
+        assert_eq!(cast(&[], &camera), error);
+        assert_eq!(cast_plain(&[], &camera, &mut ()), error);
+    }
+}
+
+/// t is 10⁻⁴⁰⁰ and the like, in front of the origin and behind it.
+#[test]
+fn a_parameter_below_the_smallest_double_keeps_its_sign() {
+    let at = |z: f64| polygon(&[(-1.0, -1.0, z), (1.0, -1.0, z), (0.0, 1.0, z)]);
+    let smallest = f64::from_bits(1);
+    for size in [1e30, 1e200, f64::MAX] {
+        for turn in [1.0, -1.0] {
+            let scene = [
+                0.0,
+                turn * smallest,
+                -turn * smallest,
+                2.0 * turn * smallest,
+            ]
+            .map(at);
+            let line = SightLine {
+                origin: DVec3::ZERO,
+                direction: DVec3::new(0.0, 0.0, turn * size),
+            };
+            let found: Vec<_> = hits(&scene, line).iter().map(|hit| hit.primitive).collect();
+            assert!(
+                found.contains(&0) && found.contains(&1) && found.contains(&3),
+                "{found:?}"
+            );
+            assert!(!found.contains(&2), "{found:?}");
+        }
+    }
+}
+
+/// Thousands whose t round to a few doubles, the farther submitted first: sorted, not exchanged two by two.
+#[test]
+fn many_at_one_depth_come_in_their_order() {
+    let n = 3000;
+    let tilted = |i: usize| {
+        let far = -1.0 - f64::EPSILON * i as f64;
+        polygon(&[(-1e6, -1.0, -1.0), (1.0, -1.0, far), (1.0, 2.0, far)])
+    };
+    let mut scene: Vec<_> = (0..n).rev().map(tilted).collect();
+    // Equal ones as submitted.
+    scene.extend((0..n).map(|_| tilted(0)));
+    let line = SightLine {
+        origin: DVec3::new(-999_000.0, -0.9999, 0.0),
+        direction: DVec3::NEG_Z,
+    };
+    let found: Vec<_> = hits(&scene, line).iter().map(|hit| hit.primitive).collect();
+    let expected = (n - 1..2 * n).chain((0..n - 1).rev());
+    assert!(found.into_iter().eq(expected));
+}
+
 #[test]
 fn work_is_counted_where_it_happens() {
     let scene = polygons(&torus(2.0, 0.7, 16, 8).unwrap());
     let camera = camera(false, DVec3::new(4.0, 5.0, 6.0), 40);
     let (mut plain, mut fast) = (Work::default(), Work::default());
     let pictures = [
-        cast_plain_counted(&scene, &camera, &mut plain).unwrap(),
-        cast_counted(&scene, &camera, &mut fast).unwrap(),
+        cast_plain(&scene, &camera, &mut plain).unwrap(),
+        counted::cast(&scene, &camera, &mut fast).unwrap(),
     ];
     assert_eq!(pictures[0], pictures[1]);
     assert_eq!((plain.rays, plain.intersections), (1600, 1600 * 256));
@@ -433,7 +509,7 @@ fn work_is_counted_where_it_happens() {
     let sight = camera
         .sight_line(UVec2::new(x, y).as_dvec2() + 0.5)
         .unwrap();
-    assert!(!hits_counted(&scene, sight, &mut line).is_empty());
+    assert!(!counted::hits(&scene, sight, &mut line).is_empty());
     assert_eq!((line.rays, line.intersections), (1, 256));
 }
 
@@ -443,7 +519,7 @@ fn an_eye_in_a_solid_sees_its_inside() {
     let camera = camera(false, DVec3::new(0.5, -0.25, 0.75), 16);
     let picture = cast(&scene, &camera).unwrap();
     assert!(picture.pixels().all(|p| p.0 != [NOTHING]));
-    assert_eq!(picture, cast_plain(&scene, &camera).unwrap());
+    assert_eq!(picture, cast_plain(&scene, &camera, &mut ()).unwrap());
 }
 
 proptest! {
@@ -506,7 +582,7 @@ proptest! {
     ) {
         let camera = camera(parallel, DVec3::from(eye), 12);
         let picture = cast(&scene, &camera).unwrap();
-        prop_assert_eq!(&picture, &cast_plain(&scene, &camera).unwrap());
+        prop_assert_eq!(&picture, &cast_plain(&scene, &camera, &mut ()).unwrap());
         for (x, y, pixel) in picture.enumerate_pixels() {
             let line = camera.sight_line(UVec2::new(x, y).as_dvec2() + 0.5).unwrap();
             // The far plane is 20 away, nothing of the scene more than 12√3; farther along the slanted lines of the rim.
@@ -551,7 +627,7 @@ proptest! {
         ] {
             let camera = Camera { view_projection, viewport };
             let _ = cast(&scene, &camera);
-            let _ = cast_plain(&scene, &camera);
+            let _ = cast_plain(&scene, &camera, &mut ());
         }
     }
 }

@@ -208,7 +208,7 @@ mod tests {
     fn agrees_with_the_other_exact_rays() {
         for seed in 8..12 {
             let scene = TrianglesInView::new(random_mesh(seed, 12), 48);
-            let picture = cast_plain(&scene.polygons, &scene.camera).unwrap();
+            let picture = cast_plain(&scene.polygons, &scene.camera, &mut ()).unwrap();
             let deviation = scene.truth.deviation(Some(&picture));
             assert_eq!((deviation.asked, deviation.wrong), (48 * 48, 0), "{seed}");
         }
