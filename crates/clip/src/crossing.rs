@@ -94,29 +94,20 @@ pub(crate) fn exact(s0: &[[f64; 2]], s1: &[[f64; 2]], [y0, y1]: [f64; 2]) -> f64
 /// The point where a segment with ends on both sides of `line` crosses it; NaN for one that does not. Never −0.
 #[inline]
 pub(crate) fn cut(segment: Segment, line: Line) -> DVec2 {
-    let Segment { a, b } = segment;
-    match line {
-        Line::Vertical(x) => DVec2::new(x, at(x, [a.x, b.x], [a.y, b.y])),
-        Line::Horizontal(y) => DVec2::new(at(y, [a.y, b.y], [a.x, b.x]), y),
-    }
+    let [across, along] = line.turn(segment.a, segment.b);
+    line.point(at(line.place(), across, along))
 }
 
 /// [`cut`], or `None` where that point of the line lies outside the window: decided exactly, not after rounding.
 #[inline]
 pub(crate) fn cut_in_window(window: &Window, segment: Segment, line: Line) -> Option<DVec2> {
     let p = cut(segment, line);
-    let (along, low, high) = match line {
-        Line::Vertical(_) => (p.y, window.min.y, window.max.y),
-        Line::Horizontal(_) => (p.x, window.min.x, window.max.x),
-    };
-    let inside = if low < along && along < high {
-        true
-    } else if along == low || along == high {
-        compare(segment, line, along, low) != Ordering::Less
-            && compare(segment, line, along, high) != Ordering::Greater
-    } else {
-        false
-    };
+    let [_, [low, high]] = line.turn(window.min, window.max);
+    let [_, [along, _]] = line.turn(p, p);
+    let inside = (low < along && along < high)
+        || (along == low || along == high)
+            && compare(segment, line, along, low) != Ordering::Less
+            && compare(segment, line, along, high) != Ordering::Greater;
     inside.then_some(p)
 }
 
@@ -186,26 +177,16 @@ pub(crate) fn order(
     second: Line,
     work: &mut impl Count,
 ) -> Ordering {
-    let Segment { a, b } = segment;
+    let (c, k) = (first.place(), second.place());
     work.add(Counter::Comparisons, 1);
-    if matches!(first, Line::Vertical(_)) != matches!(second, Line::Vertical(_)) {
+    let order = if first.is_vertical() == second.is_vertical() {
+        c.partial_cmp(&k).unwrap_or(Ordering::Equal)
+    } else {
         work.add(Counter::Multiplications, 2);
-    }
-    let along = |from: f64, to: f64, o: Ordering| if from < to { o } else { o.reverse() };
-    match (first, second) {
-        (Line::Vertical(c), Line::Vertical(k)) => {
-            along(a.x, b.x, c.partial_cmp(&k).unwrap_or(Ordering::Equal))
-        }
-        (Line::Horizontal(c), Line::Horizontal(k)) => {
-            along(a.y, b.y, c.partial_cmp(&k).unwrap_or(Ordering::Equal))
-        }
-        (Line::Vertical(_), Line::Horizontal(k)) => {
-            along(a.y, b.y, compare_exactly(segment, first, k))
-        }
-        (Line::Horizontal(_), Line::Vertical(k)) => {
-            along(a.x, b.x, compare_exactly(segment, first, k))
-        }
-    }
+        compare_exactly(segment, first, k)
+    };
+    let [[from, to], _] = second.turn(segment.a, segment.b);
+    if from < to { order } else { order.reverse() }
 }
 
 #[cfg(test)]

@@ -64,10 +64,8 @@ pub fn clip_segment_plain(
 }
 
 fn is_parallel(Segment { a, b }: Segment, line: Line) -> bool {
-    match line {
-        Line::Vertical(_) => a.x == b.x,
-        Line::Horizontal(_) => a.y == b.y,
-    }
+    let [[a, b], _] = line.turn(a, b);
+    a == b
 }
 
 /// The part of `segment` in `window`, or `None` if there is none.

@@ -216,6 +216,39 @@ pub(crate) enum Line {
     Horizontal(f64),
 }
 
+impl Line {
+    /// Where it is: c.
+    #[inline]
+    pub(crate) const fn place(self) -> f64 {
+        match self {
+            Self::Vertical(c) | Self::Horizontal(c) => c,
+        }
+    }
+
+    #[inline]
+    pub(crate) const fn is_vertical(self) -> bool {
+        matches!(self, Self::Vertical(_))
+    }
+
+    /// The coordinates of two points across it, and those along it.
+    #[inline]
+    pub(crate) const fn turn(self, a: DVec2, b: DVec2) -> [[f64; 2]; 2] {
+        match self {
+            Self::Vertical(_) => [[a.x, b.x], [a.y, b.y]],
+            Self::Horizontal(_) => [[a.y, b.y], [a.x, b.x]],
+        }
+    }
+
+    /// Its point at a coordinate along it.
+    #[inline]
+    pub(crate) const fn point(self, along: f64) -> DVec2 {
+        match self {
+            Self::Vertical(x) => DVec2::new(x, along),
+            Self::Horizontal(y) => DVec2::new(along, y),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -119,8 +119,9 @@ pub fn paint_plain<'a>(
         let outline = projected(polygon, camera);
         let number = number(id)?;
         // then fill.
-        let spans = polygon::counted::fill(&[outline], FillRule::NonZero, width, height, &mut *work)
-            .map_err(|PolygonError::NotFinite { .. }| PictureError::TooFar { id })?;
+        let spans =
+            polygon::counted::fill(&[outline], FillRule::NonZero, width, height, &mut *work)
+                .map_err(|PolygonError::NotFinite { .. }| PictureError::TooFar { id })?;
         buffers::paint(&mut picture, spans, Luma([number]))?;
     }
     Ok(picture)

@@ -5,9 +5,7 @@ mod truth;
 
 use ombra_hsr::picture::{self, IdBuffer, NOTHING, PictureError, polygons};
 use ombra_hsr::polygon::Polygon;
-use ombra_hsr::z_buffer::{
-    Colours, Cull, Depth24, DepthBuffer, DepthFormat, Options, counted,
-};
+use ombra_hsr::z_buffer::{Colours, Cull, Depth24, DepthBuffer, DepthFormat, Options, counted};
 use ombra_hsr::{image_space, object_space, painter};
 use ombra_math::camera::Camera;
 use ombra_math::glam::{DVec3, DVec4};

@@ -50,16 +50,8 @@ enum Meets {
 fn meets(window: &Window, edge: Segment, side: Side, work: &mut impl Count) -> Option<Meets> {
     let Segment { a, b } = edge;
     let line = window.line(side);
-    let (along, low, high) = match line {
-        Line::Vertical(_) => ([a.y, b.y], window.min.y, window.max.y),
-        Line::Horizontal(_) => ([a.x, b.x], window.min.x, window.max.x),
-    };
-    let corner = |along: f64| {
-        Meets::Corner(match line {
-            Line::Vertical(x) => DVec2::new(x, along + 0.0),
-            Line::Horizontal(y) => DVec2::new(along + 0.0, y),
-        })
-    };
+    let [_, along] = line.turn(a, b);
+    let [_, [low, high]] = line.turn(window.min, window.max);
     // Between ends that both lie within a limit, so does the crossing.
     for (limit, outside) in [(low, Ordering::Less), (high, Ordering::Greater)] {
         work.add(Counter::Comparisons, 2);
@@ -73,7 +65,7 @@ fn meets(window: &Window, edge: Segment, side: Side, work: &mut impl Count) -> O
         if order == outside {
             return None;
         } else if order == Ordering::Equal {
-            return Some(corner(limit));
+            return Some(Meets::Corner(line.point(limit + 0.0)));
         }
     }
     Some(Meets::Side)
@@ -264,15 +256,14 @@ fn ordered_bits(x: f64) -> u64 {
 /// ```
 fn order_of_crossings(e: Segment, f: Segment, line: Line) -> Ordering {
     let coordinates = |s: Segment| {
-        let (c, a, b) = match line {
-            Line::Vertical(x) => (x, [s.a.x, s.a.y], [s.b.x, s.b.y]),
-            Line::Horizontal(y) => (y, [s.a.y, s.a.x], [s.b.y, s.b.x]),
-        };
-        if a[0] < b[0] { (c, a, b) } else { (c, b, a) }
+        let [[a, b], [a_along, b_along]] = line.turn(s.a, s.b);
+        let ends = ([a, a_along], [b, b_along]);
+        if a < b { ends } else { (ends.1, ends.0) }
     };
+    let c = line.place();
     let mut sum = Sum::default();
     for (first, second, sign) in [(e, f, 1.0), (f, e, -1.0)] {
-        let ((c, a, b), (_, p, q)) = (coordinates(first), coordinates(second));
+        let ((a, b), (p, q)) = (coordinates(first), coordinates(second));
         for d in [q[0], -p[0]] {
             sum.add([sign * a[1], b[0], d]);
             sum.add([-sign * a[1], c, d]);

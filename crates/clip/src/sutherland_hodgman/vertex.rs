@@ -30,7 +30,9 @@ impl Vertex {
     /// `Greater` on the window's side, `Equal` on the line of the side, `Less` beyond.
     pub(super) fn side(&self, window: &Window, side: Side) -> Ordering {
         let along = |x: f64, limit: f64, of: fn(f64) -> Line| match self.crossing {
-            Some((edge, line)) if !same_axis(line, of(limit)) => compare(edge, line, x, limit),
+            Some((edge, line)) if line.is_vertical() != of(limit).is_vertical() => {
+                compare(edge, line, x, limit)
+            }
             _ => x.partial_cmp(&limit).unwrap_or(Ordering::Less),
         };
         match side {
@@ -65,11 +67,4 @@ impl Vertex {
         let edge = if comes_back { None } else { self.edge };
         Self { edge, ..self }
     }
-}
-
-fn same_axis(a: Line, b: Line) -> bool {
-    matches!(
-        (a, b),
-        (Line::Vertical(_), Line::Vertical(_)) | (Line::Horizontal(_), Line::Horizontal(_))
-    )
 }
