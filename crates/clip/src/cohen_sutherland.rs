@@ -4,6 +4,8 @@
 //! inside (OR is zero) or wholly beyond one side (AND is not); what is left is cut at one side and asked again.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/outcodes.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/cohen-sutherland-steps.svg"))]
 
 use core::cmp::Ordering;
 use core::iter::successors;
@@ -105,7 +107,8 @@ fn crossing(window: &Window, given: Segment, side: Side) -> (DVec2, Outcode) {
 /// ```text
 /// repeat:  code_a OR  code_b = 0000   →   inside
 ///          code_a AND code_b ≠ 0000   →   outside
-///          otherwise cut at the first bit that differs; the end with the bit 1 becomes the crossing
+///          otherwise cut at the first bit that differs;
+///           the end with the bit 1 becomes the crossing
 /// ```
 ///
 /// # Properties
@@ -122,7 +125,7 @@ fn crossing(window: &Window, given: Segment, side: Side) -> (DVec2, Outcode) {
 /// # Pitfalls
 ///
 /// - Testing only OR in each iteration: (4, 14) → (14, 8) is cut to (32/3, 10) and then has the codes 0010 and 0010,
-///   no bit differs, and the slide's loop finds nothing to cut (errata E22).
+///   no bit differs, and the slide's loop finds nothing to cut (errata [E22](crate#e22)).
 /// - Cutting what an earlier cut left adds up rounding: here each crossing is that of the segment as given.
 ///
 /// # Examples
@@ -142,7 +145,8 @@ fn crossing(window: &Window, given: Segment, side: Side) -> (DVec2, Outcode) {
 ///
 /// # References
 ///
-/// Grafica 3, «Algoritmo Cohen-Sutherland»; errata E22.
+/// Grafica 3, «Algoritmo Cohen-Sutherland»; errata [E22](crate#e22).
+#[doc(alias = "line clipping")]
 #[inline]
 #[must_use]
 pub fn clip_segment(window: &Window, segment: Segment) -> Option<Segment> {
@@ -169,8 +173,11 @@ pub struct Step {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Decision {
     /// OR is 0000: the whole segment is inside.
+    #[doc(alias = "trivial accept")]
     Accept,
     /// AND is not 0000: the whole segment is beyond one side.
+    #[doc(alias = "trivial reject")]
+    #[doc(alias = "rejection")]
     Reject,
     /// The first bit that differs: the end that has it is replaced by the crossing with its side.
     Cut {

@@ -2,6 +2,7 @@
 //!
 //! Each side is a line or plane with an inside. A segment that starts beyond it enters there, one that ends beyond it
 //! leaves there; what remains runs from the latest entry to the earliest exit.
+#![doc(alias = "convex clipping")]
 
 use core::cmp::Ordering;
 

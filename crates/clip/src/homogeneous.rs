@@ -3,6 +3,9 @@
 //! Behind the eye w is negative, and the division would turn what lies there in front of it. Clipped as homogeneous
 //! points, segments and polygons may reach behind the eye or to infinity; what remains has w > 0. Attributes are
 //! linear here, before the division, and no longer afterwards.
+#![doc(alias = "clip space")]
+#![doc(alias = "view frustum")]
+#![doc(alias = "canonical view volume")]
 
 use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::work::{Count, Counter};
@@ -260,6 +263,7 @@ pub fn clip_polygon<const N: usize>(polygon: &[Vertex<N>]) -> Vec<Vertex<N>> {
 ///
 /// - Error: none but that each number of a crossing is the double nearest to that of the edge it cuts.
 /// - As for [`clip_polygon`], save that w > 0 only where the planes imply it: two opposite ones do.
+#[doc(alias = "guard band")]
 #[must_use]
 pub fn clip_polygon_to<const N: usize>(
     polygon: &[Vertex<N>],

@@ -3,6 +3,7 @@
 //! Beyond the lecture. The window is what two strips have in common. A segment is inside from the latest of its
 //! entries to the earliest of its exits; nothing is left of it where an exit comes first. So at most two
 //! intersections are computed.
+#![doc(alias = "parametric clipping")]
 
 use core::cmp::Ordering;
 
@@ -96,7 +97,8 @@ fn inequality(window: &Window, Segment { a, b }: Segment, side: Side) -> (Differ
 /// t p_k ≤ q_k          k      above        below        right        left
 ///                      p_k    y_b − y_a    y_a − y_b    x_b − x_a    x_a − x_b
 ///                      q_k    y_max − y_a  y_a − y_min  x_max − x_a  x_a − x_min
-/// p_k < 0 enters, p_k > 0 leaves, at t_k = q_k / p_k;      t_in = max(0, entries),  t_out = min(1, exits)
+/// p_k < 0 enters, p_k > 0 leaves, at t_k = q_k / p_k
+/// t_in = max(0, entries),  t_out = min(1, exits)
 /// nothing is left where t_in > t_out
 /// ```
 ///

@@ -5,6 +5,8 @@
 //! every piece for itself, without the edges back and forth that one outline for all needs.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/polygon-cases.svg"))]
+#![doc(alias = "Weiler-Atherton")]
+#![doc(alias = "concave polygon")]
 
 use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
@@ -99,8 +101,10 @@ fn around(window: &Window, winding: i64) -> Vec<Vec<DVec2>> {
 /// # Formula
 ///
 /// ```text
-/// chain: a part of the polygon's boundary strictly inside the window, from an entry E to an exit X on its border
-/// counter-clockwise polygon: from X along the border, counter-clockwise, to the next E; clockwise: the other way
+/// chain: a part of the polygon's boundary strictly inside the window,
+///        from an entry E to an exit X on its border
+/// counter-clockwise polygon: from X along the border, counter-clockwise, to the next E;
+/// clockwise: the other way
 /// ```
 ///
 /// # Properties

@@ -4,6 +4,8 @@
 //! where it crosses is put in. What comes out is a polygon again, ready for the next side.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/sutherland-hodgman-steps.svg"))]
+#![doc(alias = "reentrant polygon clipping")]
+#![doc(alias = "polygon clipping")]
 
 use core::cmp::Ordering;
 

@@ -1,6 +1,7 @@
 //! The clipping window: an upright rectangle, and the four inequalities of a point inside it.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/point-window.svg"))]
+#![doc(alias = "viewport clipping")]
 
 use core::fmt;
 

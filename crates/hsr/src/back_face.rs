@@ -5,6 +5,8 @@
 //! primitives are left: half of the work where they are taken one by one, a quarter where they are taken in pairs.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/back-face.svg"))]
+#![doc(alias = "culling")]
+#![doc(alias = "back-face culling")]
 
 use core::cmp::Ordering;
 
@@ -31,9 +33,9 @@ use ombra_math::predicates::{orient_2d, orient_3d};
 /// # Pitfalls
 ///
 /// - v is the direction *towards the viewer*. The first slide's sentence says «direction of view», in which the viewer
-///   looks: that keeps the faces at the back and leaves out those in front (errata E13).
+///   looks: that keeps the faces at the back and leaves out those in front (errata [E13](crate#e13)).
 /// - In perspective v is another for every face. The sign of the normal's z in eye coordinates is not the test (errata
-///   E31): it is that of a parallel view along z. See [`is_front_facing_in_clip_space`].
+///   [E31](crate#e31)): it is that of a parallel view along z. See [`is_front_facing_in_clip_space`].
 /// - The normal of a transformed solid is not the transformed normal where the transformation scales unevenly.
 ///
 /// # Examples
@@ -54,6 +56,7 @@ use ombra_math::predicates::{orient_2d, orient_3d};
 /// # References
 ///
 /// Grafica 3, «Back Face Culling», «Ottimizzazione: Back-face Culling».
+#[doc(alias = "front face")]
 #[must_use]
 pub fn is_front_facing(normal: DVec3, towards_viewer: DVec3) -> bool {
     dot(direction(normal), direction(towards_viewer)).0 >= 0.0
@@ -164,7 +167,7 @@ pub fn is_front_facing_on_screen(pixels: [DVec2; 3]) -> bool {
 ///
 /// The slide's rule, positive z of the normal, holds for this sign only: that of the triangle's own normal *after*
 /// projection, x to the right, y up, z to the viewer. In OpenGL's NDC z grows away from the viewer: there the outward
-/// normal of a visible face, taken along as a plane is (π M⁻¹), has a negative z (errata E31).
+/// normal of a visible face, taken along as a plane is (π M⁻¹), has a negative z (errata [E31](crate#e31)).
 ///
 /// # References
 ///

@@ -6,6 +6,9 @@
 //! Nothing is sorted, clipped or projected, and every decision is exact: this is the reference for the other methods.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/image-space-ray.svg"))]
+#![doc(alias = "ray casting")]
+#![doc(alias = "raycasting")]
+#![doc(alias = "ray tracing")]
 
 mod about;
 mod fast;
@@ -210,7 +213,7 @@ pub fn hits_plain(polygons: &[Polygon], line: SightLine, work: &mut impl Count) 
 ///
 /// # Pitfalls
 ///
-/// The nearest intersection with the *planes* of the primitives is not what is seen (errata E23): a plane goes on
+/// The nearest intersection with the *planes* of the primitives is not what is seen (errata [E23](crate#e23)): a plane goes on
 /// beside its primitive and behind the eye. Two primitives that are coplanar but for the rounding of their vertices are
 /// at different depths, and both may be seen, in patches.
 ///
@@ -236,6 +239,7 @@ pub fn hits_plain(polygons: &[Polygon], line: SightLine, work: &mut impl Count) 
 /// # References
 ///
 /// Grafica 3, «Approccio Image-Space»: the intersections are collected, then the one at the least distance is chosen.
+#[doc(alias = "intersection")]
 #[must_use]
 pub fn hits(polygons: &[Polygon], line: SightLine) -> Vec<Hit> {
     hits_plain(polygons, line, &mut ())

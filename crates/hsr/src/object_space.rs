@@ -4,6 +4,7 @@
 //! / 2 comparisons for k primitives, whatever the picture.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/object-space-pairs.svg"))]
+#![doc(alias = "visible surface determination")]
 
 mod overlap;
 

@@ -16,6 +16,8 @@
 //! which do not end before it begins. A tree of boxes finds them. [`order_plain`] compares every pair instead, and
 //! answers the same, but for planes seen at so grazing an angle that their distance is within the
 //! [`tolerance`](crate::pair::tolerance) where the primitives are not even at the same distance from the eye.
+#![doc(alias = "painters algorithm")]
+#![doc(alias = "depth sort")]
 
 use ombra_math::glam::DVec4;
 use ombra_math::work::Count;
@@ -209,6 +211,7 @@ pub fn order(polygons: &[Polygon], eye: DVec4) -> Result<Vec<usize>, Cycle> {
 /// In no deck; Grafica 3, «Algoritmo del Pittore (depth-sort)» stops at the question, and answers it with no. Newell,
 /// as for [`order`]. That what is cut by all planes has an order: H. Fuchs, Z. M. Kedem, B. F. Naylor, «On visible
 /// surface generation by a priori tree structures», 1980.
+#[doc(alias = "Newell")]
 #[must_use]
 pub fn order_by_cutting(polygons: &[Polygon], eye: DVec4) -> Vec<(usize, Polygon)> {
     fast::order_by_cutting(polygons, eye, &mut ())

@@ -2,6 +2,7 @@
 //!
 //! Seen from the eye a convex polygon is a convex cone, or a prism in a parallel view. Everything the object-space
 //! methods ask about two polygons is the sign of a determinant: do their cones overlap, and who is nearer there?
+#![doc(alias = "occlusion")]
 
 use core::cmp::Ordering;
 

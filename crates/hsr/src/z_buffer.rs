@@ -20,6 +20,9 @@
 //! processor.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/zbuffer-steps.svg"))]
+#![doc(alias = "hidden surface removal")]
+#![doc(alias = "depth buffer")]
+#![doc(alias = "depth test")]
 
 mod error;
 mod fast;

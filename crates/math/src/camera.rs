@@ -138,6 +138,8 @@ impl Camera {
     /// # Errors
     ///
     /// `None` for a picture without pixels, planes that do not meet in one point, numbers that are not finite.
+    #[doc(alias = "primary ray")]
+    #[doc(alias = "unproject")]
     #[must_use]
     pub fn sight_line(&self, pixel: DVec2) -> Option<SightLine> {
         let [x, y, z, w] = self.rows();

@@ -2,6 +2,7 @@
 //!
 //! With them one formula serves a light at a place and a light at infinity, and a perspective projection is a
 //! matrix followed by one division.
+#![doc(alias = "homogeneous coordinates")]
 
 use glam::{DVec3, DVec4};
 
@@ -64,6 +65,7 @@ pub const fn point(p: DVec3) -> DVec4 {
 /// # References
 ///
 /// CIS 781, «Verifying P_inf will not clip infinitely far away vertices»: the vertex (0, 0, −D, 0).
+#[doc(alias = "ideal point")]
 #[must_use]
 pub const fn direction(d: DVec3) -> DVec4 {
     DVec4::new(d.x, d.y, d.z, 0.0)
@@ -102,6 +104,7 @@ pub const fn direction(d: DVec3) -> DVec4 {
 /// # References
 ///
 /// Bologna, «Ombre su piani in WebGL»; Olomouc, «Zdroj světla v bodě».
+#[doc(alias = "perspective divide")]
 #[must_use]
 pub fn project(p: DVec4) -> Option<DVec3> {
     let q = p.truncate() / p.w;

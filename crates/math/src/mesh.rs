@@ -38,6 +38,8 @@ use glam::DVec3;
 /// # References
 ///
 /// Grafica 3 and CIS 781 take their casters so; Olomouc, «Stínové těleso».
+#[doc(alias = "triangle mesh")]
+#[doc(alias = "indexed face set")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// The places of the vertices.
@@ -156,6 +158,8 @@ impl Mesh {
     /// # Properties
     ///
     /// - Error: none.
+    #[doc(alias = "bounding box")]
+    #[doc(alias = "AABB")]
     #[must_use]
     pub fn bounds(&self) -> Option<[DVec3; 2]> {
         let &first = self.positions.first()?;

@@ -192,6 +192,7 @@ impl Plane {
     /// # References
     ///
     /// Bologna, «Ombre su piani», general case.
+    #[doc(alias = "point-plane distance")]
     #[must_use]
     pub fn signed_distance(&self, p: DVec3) -> f64 {
         let largest = self.normal.abs().max_element();
@@ -226,6 +227,7 @@ impl Plane {
     /// assert_eq!(Plane::GROUND.side(DVec3::new(1e300, 5e-324, 0.0)), Some(Ordering::Greater));
     /// assert_eq!(Plane::GROUND.side(DVec3::NAN), None);
     /// ```
+    #[doc(alias = "half-space")]
     #[must_use]
     pub fn side(&self, p: DVec3) -> Option<Ordering> {
         dot(self.coefficients(), point(p)).0.partial_cmp(&0.0)

@@ -3,6 +3,7 @@
 //! The determinant of nearly collinear points is mostly rounding error when computed in doubles. Inside its
 //! range the `robust` crate decides; outside (a triangle of 10⁻²⁰⁰, or of 10²⁰⁰) an exact
 //! [`Sum`] does.
+#![doc(alias = "orientation test")]
 
 use core::cmp::Ordering;
 
@@ -46,6 +47,8 @@ use crate::exact::Sum;
 ///
 /// In no deck. J. R. Shewchuk, «Adaptive precision floating-point arithmetic and fast robust geometric
 /// predicates», 1997.
+#[doc(alias = "counter-clockwise")]
+#[doc(alias = "ccw")]
 #[must_use]
 pub fn orient_2d(a: DVec2, b: DVec2, c: DVec2) -> Option<Ordering> {
     let points = [a, b, c];

@@ -252,6 +252,7 @@ pub fn tetrahedron() -> Mesh {
 /// let error = sphere(-1.0, 32, 16).unwrap_err();
 /// assert_eq!(error.to_string(), "radius is -1; it must be a finite number greater than 0");
 /// ```
+#[doc(alias = "UV sphere")]
 pub fn sphere(radius: f64, slices: u32, stacks: u32) -> Result<Mesh, SolidError> {
     positive("radius", radius)?;
     at_least("slices", slices, 3)?;
@@ -301,6 +302,7 @@ pub fn sphere(radius: f64, slices: u32, stacks: u32) -> Result<Mesh, SolidError>
 /// assert!(torus(3.0, 1.0, 48, 16).unwrap().is_two_manifold());
 /// assert_eq!(torus(1.0, 2.0, 48, 16), Err(SolidError::Tube { major: 1.0, minor: 2.0 }));
 /// ```
+#[doc(alias = "doughnut")]
 pub fn torus(major: f64, minor: f64, around: u32, across: u32) -> Result<Mesh, SolidError> {
     positive("major", major)?;
     positive("minor", minor)?;

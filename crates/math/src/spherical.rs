@@ -4,6 +4,7 @@
 //! All angles are in radians. A direction is (θ, φ) alone, a point of the unit sphere.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/spherical.svg"))]
+#![doc(alias = "polar coordinates")]
 
 use core::f64::consts::TAU;
 use core::ops::Range;
@@ -48,6 +49,7 @@ pub const FULL_SPHERE: f64 = 2.0 * TAU;
 /// # References
 ///
 /// Olomouc, «Prostorové úhly».
+#[doc(alias = "azimuth")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spherical {
     /// Distance from the origin.
@@ -208,6 +210,7 @@ pub fn solid_angle_element(theta: f64) -> f64 {
 /// # References
 ///
 /// Olomouc, «Diferenciální plocha»: the full sphere is 4π.
+#[doc(alias = "steradian")]
 #[must_use]
 pub fn solid_angle(theta: Range<f64>, phi: Range<f64>) -> f64 {
     let middle = sin_of_sum(0.5 * theta.start, 0.5 * theta.end);
@@ -240,7 +243,7 @@ mod tests {
 
     const EPS: f64 = f64::EPSILON;
 
-    /// Errata E6 and E30: y / x, and θ from the pole.
+    /// Errata [E6](crate#e6) and [E30](crate#e30): y / x, and θ from the pole.
     #[test]
     fn every_octant() {
         // tan φ = 4/3 and tan θ = 5/12 in the first octant; the other seven by symmetry.

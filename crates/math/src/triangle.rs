@@ -41,6 +41,8 @@ use glam::DVec3;
 /// # References
 ///
 /// Olomouc, «Flat shading», first example.
+#[doc(alias = "cross product")]
+#[doc(alias = "surface normal")]
 #[must_use]
 pub fn normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
     let [x, y, z] = CYCLE.map(|ij| {
@@ -126,6 +128,7 @@ pub fn area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 /// # References
 ///
 /// Olomouc, «Gouraud shading»: the interpolation of vertex values, here in one step.
+#[doc(alias = "areal coordinates")]
 #[must_use]
 pub fn barycentric(p: DVec3, a: DVec3, b: DVec3, c: DVec3) -> Option<DVec3> {
     let (n, exponent) = scaled_normal(a, b, c);

@@ -66,6 +66,9 @@ use error::{finite, whole};
 /// # References
 ///
 /// In no deck; the light's camera of Olomouc, «Stínová paměť hloubky», is one.
+#[doc(alias = "look at")]
+#[doc(alias = "gluLookAt")]
+#[doc(alias = "view matrix")]
 pub fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> Result<DMat4, ViewError> {
     for (what, v) in [("eye", eye), ("target", target), ("up", up)] {
         for value in v.to_array() {
@@ -119,6 +122,8 @@ pub fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> Result<DMat4, ViewError>
 /// # References
 ///
 /// In no deck; the depth range 0 … 1 is OpenGL's default.
+#[doc(alias = "NDC")]
+#[doc(alias = "normalized device coordinates")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Viewport {
     /// Columns of pixels.
@@ -135,6 +140,7 @@ impl Viewport {
     /// # Properties
     ///
     /// - Error: at most 2 ε of width, height and 1 for points inside.
+    #[doc(alias = "viewport transform")]
     #[must_use]
     pub fn to_pixel(&self, ndc: DVec3) -> DVec3 {
         DVec3::new(

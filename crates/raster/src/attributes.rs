@@ -3,6 +3,8 @@
 //! A pixel's centre is a mixture of the corners, by its barycentric weights; an attribute that is linear on the
 //! screen is the same mixture of the corners' values. One that is linear in space is not, under perspective: the
 //! weights must be divided by each corner's w first. That correction is in no deck.
+#![doc(alias = "interpolation")]
+#![doc(alias = "varying")]
 
 mod fast;
 
@@ -83,6 +85,7 @@ fn twice_area(a: DVec2, b: DVec2, p: DVec2) -> Sum {
 ///
 /// Grafica 3, «Algoritmo Z-Buffer»: the depth of the point of the primitive at each pixel; Olomouc, «Gouraud
 /// shading».
+#[doc(alias = "barycentric coordinates")]
 #[must_use]
 pub fn weights(triangle: [DVec2; 3], p: DVec2) -> Option<DVec3> {
     fast::weights(triangle, p)
@@ -251,6 +254,8 @@ pub fn perspective_weights(weights: DVec3, w: [f64; 3]) -> Option<DVec3> {
 /// # References
 ///
 /// As [`perspective_weights`].
+#[doc(alias = "perspective-correct")]
+#[doc(alias = "perspective correct interpolation")]
 #[must_use]
 pub fn perspective(weights: DVec3, values: [f64; 3], w: [f64; 3]) -> Option<f64> {
     Some(linear(perspective_weights(weights, w)?, values))

@@ -5,6 +5,10 @@
 //! in another octant is turned and mirrored into the slide's, 0 ≤ m ≤ 1, and its moves back out.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/bresenham-trace.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/bresenham-choice.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/bresenham-increments.svg"))]
 //!
 //! # Reversing
 //!
@@ -12,6 +16,9 @@
 //! other one beside the line. With dx the larger of |b.x − a.x| and |b.y − a.y|, dy the smaller and g their greatest
 //! common divisor, the line meets a midpoint g times if dx/g is even, else never. That is at most dx/2 times, as on
 //! (0, 0)→(8, 4), and never if dx is odd.
+#![doc(alias = "line drawing")]
+#![doc(alias = "midpoint")]
+#![doc(alias = "midpoint line algorithm")]
 
 mod clipped;
 mod draw;
@@ -100,7 +107,7 @@ pub fn segment_plain(a: IVec2, b: IVec2, work: &mut impl Count, mut plot: impl F
 ///
 /// # Pitfalls
 ///
-/// - The slide's d has a ½ inside and no start value: it is kept doubled, start and both steps (errata E15).
+/// - The slide's d has a ½ inside and no start value: it is kept doubled, start and both steps (errata [E15](crate#e15)).
 /// - dx and dy of two `i32` need a bit more than `i32`, and doubled, two.
 /// - dy − dx as the start, with steps dy and dy − dx, drops the ½: it cuts off instead of rounding, and (0, 0)→(3, 1)
 ///   gets y = 0 0 0 1 where 0 0 1 1 is right.

@@ -20,10 +20,13 @@ pub use image;
 /// A picture of pixels `P`.
 pub type Picture<P> = ImageBuffer<P, Vec<<P as Pixel>::Subpixel>>;
 /// Colours as they are stored, 8 bits a channel with opacity.
+#[doc(alias = "frame buffer")]
+#[doc(alias = "framebuffer")]
 pub type ColourBuffer = Picture<Rgba<u8>>;
 /// Linear colours, as lighting computes them.
 pub type LinearColourBuffer = Picture<Rgb<f32>>;
 /// Stencil: a count or a mark of 8 bits.
+#[doc(alias = "stencil")]
 pub type StencilBuffer = Picture<Luma<u8>>;
 
 /// Most bytes that [`new`] allocates: 2³⁰, a picture of 16 384 × 16 384 pixels of 4 bytes.

@@ -4,6 +4,7 @@
 //! all later sums: the same segment in `f64` and in `f32` shows how far that goes.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/dda-rounding.svg"))]
+#![doc(alias = "digital differential analyzer")]
 
 use ombra_math::glam::IVec2;
 use ombra_math::work::{Count, Counter};

@@ -36,7 +36,8 @@ use ombra_math::glam::DVec4;
 /// depth   d = (w + z) / 2w     0 on the near plane, 1 on the far one
 /// stored  b bits:    d (2ᵇ − 1), rounded to the nearest integer, ties to even
 ///         float:     d, rounded to 24 binary digits
-///         reversed:  1 − d = (w − z) / 2w, rounded to 24 binary digits; near and far change places
+///         reversed:  1 − d = (w − z) / 2w, rounded to 24 binary digits;
+///                    near and far change places
 /// ```
 ///
 /// # Pitfalls
@@ -141,6 +142,8 @@ pub struct Depth24;
 pub struct Depth32F;
 
 /// 1 − depth in single precision: the digits are dense where the perspective crowds the depths, at the far end.
+#[doc(alias = "reversed z")]
+#[doc(alias = "reverse z")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReversedDepth32F;
 

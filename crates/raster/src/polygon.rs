@@ -5,6 +5,8 @@
 //! row, the active edges are those that cross the present one, and between their crossings lie the spans.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/scanline.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/polygon-kinds.svg"))]
 //!
 //! # Centres on an edge
 //!
@@ -28,6 +30,9 @@
 //! [`active_edges`] and [`spans_between`]. [`fill`] gives the same spans: it follows each edge from row to row in
 //! rounded arithmetic, and asks the exact predicate only where a crossing comes so near a centre that rounding could
 //! move it past.
+#![doc(alias = "scan conversion")]
+#![doc(alias = "scan line")]
+#![doc(alias = "scanline")]
 
 mod error;
 mod fast;
@@ -52,11 +57,17 @@ pub use error::PolygonError;
 /// # References
 ///
 /// Grafica 3, «Rasterizzazione di Poligoni»: intrecciato, a contorni multipli. The rules are in no deck.
+#[doc(alias = "winding number")]
+#[doc(alias = "winding rule")]
+#[doc(alias = "fill rule")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FillRule {
     /// Inside where the winding number is odd.
+    #[doc(alias = "even-odd")]
+    #[doc(alias = "parity rule")]
     EvenOdd,
     /// Inside where the winding number is not 0.
+    #[doc(alias = "non-zero")]
     NonZero,
 }
 
@@ -136,6 +147,8 @@ pub fn fill_plain(
 /// # References
 ///
 /// As [`fill`].
+#[doc(alias = "edge table")]
+#[doc(alias = "ET")]
 pub fn edge_table(contours: &[Vec<DVec2>], height: u32) -> Result<Vec<Edge>, PolygonError> {
     let mut table = Vec::new();
     for_each_edge(contours, height, |edge| table.push(edge))?;
@@ -173,6 +186,9 @@ pub struct Crossing {
 /// # References
 ///
 /// As [`fill`].
+#[doc(alias = "active edge table")]
+#[doc(alias = "active edge list")]
+#[doc(alias = "AET")]
 #[must_use]
 pub fn active_edges(table: &[Edge], y: u32, width: u32) -> Vec<Crossing> {
     let mut crossings: Vec<_> = table
@@ -279,6 +295,7 @@ pub fn spans_between(crossings: &[Crossing], rule: FillRule, width: u32) -> Vec<
 ///
 /// Grafica 3, «Rasterizzazione di Poligoni»: convex, concave, self-intersecting, several contours. The method is
 /// in no deck: C. Wylie, G. Romney, D. Evans, A. Erdahl, «Half-tone perspective drawings by computer», 1967.
+#[doc(alias = "polygon fill")]
 pub fn fill(
     contours: &[Vec<DVec2>],
     rule: FillRule,

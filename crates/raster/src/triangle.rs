@@ -5,10 +5,13 @@
 //! and only one owns it: no gap, no pixel drawn twice.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/triangle-shared-edge.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/sliver.svg"))]
 //!
 //! [`contains`] asks this of one point, [`cover_plain`] of every centre of a picture, as hardware does. [`cover`]
 //! gives the same pixels without looking at those outside: a triangle is convex, so in each row they are one run,
 //! between the two sides that cross it.
+#![doc(alias = "half-space")]
 
 mod error;
 mod fast;
@@ -24,6 +27,7 @@ use crate::span::Span;
 pub use error::TriangleError;
 
 /// What becomes of a centre that lies exactly on an edge.
+#[doc(alias = "fill convention")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EdgeRule {
     /// It is in if the edge is a top or a left one: each pixel of a shared edge has one owner.
@@ -159,6 +163,7 @@ pub fn contains(triangle: [DVec2; 3], p: DVec2, rule: EdgeRule) -> bool {
 ///
 /// Grafica 3, «Algoritmo di Bresenham»: F(x, y), the same implicit line. J. Pineda, «A parallel algorithm for
 /// polygon rasterization», 1988.
+#[doc(alias = "edge function")]
 #[must_use]
 pub fn edge_function(a: DVec2, b: DVec2, p: DVec2) -> f64 {
     (b - a).perp_dot(p - a)
@@ -180,6 +185,7 @@ pub fn edge_function(a: DVec2, b: DVec2, p: DVec2) -> f64 {
 /// # References
 ///
 /// In no deck; the rule of graphics hardware.
+#[doc(alias = "top-left rule")]
 #[must_use]
 pub fn is_top_left(a: DVec2, b: DVec2) -> bool {
     b.y < a.y || (b.y == a.y && b.x > a.x)
@@ -304,6 +310,8 @@ pub mod counted {
 /// # References
 ///
 /// In no deck; graphics hardware, mostly with 4 or 8 bits.
+#[doc(alias = "sub-pixel")]
+#[doc(alias = "fixed point")]
 #[must_use]
 pub fn snap(vertex: DVec2, bits: u32) -> DVec2 {
     // 2⁻¹⁰⁷⁴ is the finest digit there is.

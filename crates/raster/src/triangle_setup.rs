@@ -20,7 +20,8 @@ pub const SUBPIXELS: i32 = 1 << SUBPIXEL_BITS;
 /// ```text
 /// Eᵢ(P) = twice the area of P and the side opposite corner i, in sub-pixels²: an integer
 /// E₀ + E₁ + E₂ = E,  the triangle's
-/// depth(P) = E₀ (d₀ / E) + E₁ (d₁ / E) + E₂ (d₂ / E),  kept between the least and the greatest dᵢ
+/// depth(P) = E₀ (d₀ / E) + E₁ (d₁ / E) + E₂ (d₂ / E),
+///            kept between the least and the greatest dᵢ
 /// ```
 ///
 /// # Properties
@@ -212,6 +213,8 @@ impl Corner {
 }
 
 /// Which triangles are left out, by the side from which they are seen.
+#[doc(alias = "face culling")]
+#[doc(alias = "glCullFace")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Cull {
     /// None.

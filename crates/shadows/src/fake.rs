@@ -3,6 +3,7 @@
 //! The cheapest shadow there is: it says where an object stands and how large it is, not what shape it has.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/fake.svg"))]
+#![doc(alias = "blob shadow")]
 
 use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::plane::Plane;

@@ -6,6 +6,14 @@
 //! [`cast`] and [`cast_polygon`] do.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/why.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/cube-infinity.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/cube-point.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/planar-any-plane.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/false-shadow.svg"))]
 //!
 //! | module | lecture topic |
 //! | --- | --- |
@@ -26,6 +34,8 @@
 //! doubles ([`textbook`], [`shadow_matrix`]) the error is ε times the terms
 //! that cancelled. Far from the origin the matrix loses twice as many digits as the quotient: its last column holds
 //! products of two large numbers. Move the origin close to the scene first; where that is not enough, use [`cast`].
+#![doc(alias = "projected shadow")]
+#![doc(alias = "planar projected shadow")]
 
 pub mod any_plane;
 mod error;

@@ -15,7 +15,8 @@
 //! ```text
 //! e = |area − A*| / A*
 //!
-//! A* = −Σ ∫ (clamp(y(x), y_min, y_max) − y_min) dx        over the edges, x from edge to edge and in [x_min, x_max]
+//! A* = −Σ ∫ (clamp(y(x), y_min, y_max) − y_min) dx
+//!      over the edges, x from edge to edge and in [x_min, x_max]
 //! ```
 //!
 //! The area of the answer is that of exactly its vertices. A* is found without clipping any polygon: each edge adds the

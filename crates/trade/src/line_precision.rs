@@ -8,7 +8,8 @@
 //! # Error
 //!
 //! ```text
-//! e = |y − y*|        y* = ⌈i·dy/dx − ½⌉        in pixels, i moves from the start along the longer axis
+//! e = |y − y*|        y* = ⌈i·dy/dx − ½⌉
+//! in pixels, i moves from the start along the longer axis
 //! ```
 //!
 //! y* is the pixel nearest to the exact line, at a tie the one nearer the start: a quotient of integers, taken anew at

@@ -5,7 +5,7 @@
 /// # Formula
 ///
 /// ```text
-/// i is on the front  ⇔  no j has  cost_j ≤ cost_i  and  error_j ≤ error_i,  one of them strictly
+/// i is on the front  ⇔  no j has cost_j ≤ cost_i and error_j ≤ error_i, one of them strictly
 /// ```
 ///
 /// # Properties

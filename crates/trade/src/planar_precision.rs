@@ -14,7 +14,8 @@
 //! # Error
 //!
 //! ```text
-//! e = ‖P − P*‖∞ / ‖P* − O‖∞        P* the exact shadow,  O the middle of the scene (the origin in the first two)
+//! e = ‖P − P*‖∞ / ‖P* − O‖∞
+//! P* the exact shadow,  O the middle of the scene (the origin in the first two)
 //! ```
 //!
 //! P is the answer as it is, P* a quotient of integers; only e itself is rounded. With ‖P*‖∞ below, an error as large as

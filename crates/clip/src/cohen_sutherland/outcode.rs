@@ -25,6 +25,9 @@ use crate::window::{Side, Window};
 /// # References
 ///
 /// Grafica 3, «Algoritmo Cohen-Sutherland».
+#[doc(alias = "region code")]
+#[doc(alias = "area code")]
+#[doc(alias = "clip code")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Outcode(u8);
 

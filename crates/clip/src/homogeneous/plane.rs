@@ -25,8 +25,10 @@ pub enum ViewPlane {
     /// y = w.
     Above,
     /// z = −w.
+    #[doc(alias = "near plane")]
     Near,
     /// z = w.
+    #[doc(alias = "far plane")]
     Far,
 }
 

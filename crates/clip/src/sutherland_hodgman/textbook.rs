@@ -13,7 +13,8 @@ use crate::window::Window;
 /// # Formula
 ///
 /// ```text
-/// a + t (b − a),   t = s_a / (s_a − s_b) rounded          a, b: vertices of what the last side has left
+/// a + t (b − a),   t = s_a / (s_a − s_b) rounded
+/// a, b: vertices of what the last side has left
 /// ```
 ///
 /// # Properties

@@ -26,6 +26,7 @@ use std::collections::{HashMap, VecDeque};
 /// # References
 ///
 /// Grafica 3, «Algoritmo del Pittore (depth-sort)»: whether an order always exists (no).
+#[doc(alias = "cyclic overlap")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cycle {
     /// Their indices, as they were submitted.

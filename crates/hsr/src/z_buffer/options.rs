@@ -21,6 +21,7 @@ pub enum Colours<'a, P> {
 }
 
 /// What a fragment nearer than the pixel's depth does to its colour. Its depth is stored in either case.
+#[doc(alias = "alpha blending")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Blend {
     /// Takes its place.

@@ -124,7 +124,8 @@ pub fn depth_at(near: f64, far: f64, distance: f64) -> Option<f64> {
 /// Δz = δ / |dd/dz| = δ z² (f − n) / (f n)
 ///
 /// δ = 1 / (2ᵇ − 1)                b bits
-/// δ = 2ᵉ⁻²³,  2ᵉ ≤ v < 2ᵉ⁺¹       single precision, where v is what is stored: d, or 1 − d reversed
+/// δ = 2ᵉ⁻²³,  2ᵉ ≤ v < 2ᵉ⁺¹       single precision;
+///                                  v is what is stored: d, or 1 − d reversed
 /// ```
 ///
 /// # Properties
@@ -158,6 +159,7 @@ pub fn depth_at(near: f64, far: f64, distance: f64) -> Option<f64> {
 /// # References
 ///
 /// Grafica 3, «Algoritmo Z-Buffer», has no formula; this one is the derivative of [`depth_at`].
+#[doc(alias = "depth resolution")]
 #[must_use]
 pub fn depth_step<F: DepthFormat>(near: f64, far: f64, distance: f64) -> Option<f64> {
     let planes = planes_and_distance(near, far, distance)?;
@@ -239,6 +241,7 @@ pub fn separable_distance<F: DepthFormat>(near: f64, far: f64, distance: f64) ->
 /// # References
 ///
 /// As [`depth_step`].
+#[doc(alias = "z-fighting")]
 #[must_use]
 pub fn fighting_distance<F: DepthFormat>(near: f64, far: f64, gap: f64) -> Option<f64> {
     let planes = Planes::new(near, far)?;

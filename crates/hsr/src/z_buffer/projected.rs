@@ -114,7 +114,8 @@ impl Screen {
 /// The row of coefficients that gives w times the depth, as the format wants it.
 ///
 /// ```text
-/// w d = (w + z) / 2 = ½ (m₄ + m₃)·P          reversed: ½ (m₄ − m₃)·P          mᵢ: row i of the matrix
+/// w d = (w + z) / 2 = ½ (m₄ + m₃)·P          mᵢ: row i of the matrix
+/// reversed: ½ (m₄ − m₃)·P
 /// ```
 ///
 /// w − z from clip coordinates, both rounded, would leave nothing far away, where it is small beside them. Most of it is

@@ -4,6 +4,8 @@ use super::Mesh;
 use crate::work::{Count, Counter};
 
 /// An edge with the faces beside it.
+#[doc(alias = "half-edge")]
+#[doc(alias = "adjacency")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Edge {
     /// The vertex with the lower index.
@@ -79,6 +81,7 @@ impl Mesh {
     /// Faces that disagree on which side is out leave records with one side each, and the mesh counts as open.
     /// Edges with four faces can be closed; [`Mesh::is_two_manifold`] asks for more. A mesh
     /// without edges has no border.
+    #[doc(alias = "watertight")]
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.edges()
@@ -112,6 +115,7 @@ impl Mesh {
     /// pair.positions.extend_from_within(1..);
     /// assert!(pair.is_closed() && !pair.is_two_manifold());
     /// ```
+    #[doc(alias = "manifold")]
     #[must_use]
     pub fn is_two_manifold(&self) -> bool {
         let sides = |t: u32| {

@@ -65,6 +65,7 @@ impl Mesh {
     ///
     /// Olomouc, «Gouraud shading». G. Thürmer and C. Wüthrich, «Computing Vertex Normals from Polygonal
     /// Facets», 1998: the angle weighting.
+    #[doc(alias = "smooth normals")]
     #[must_use]
     pub fn vertex_normals(&self, weighting: Weighting) -> Vec<DVec3> {
         let mut sums = vec![Weighted::default(); self.positions.len()];

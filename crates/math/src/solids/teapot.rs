@@ -142,6 +142,7 @@ const SPOUT: [Loop; 7] = [
 /// M. Newell, «The Utilization of Procedure Models in Digital Image Synthesis», 1975, as scaled by J. Blinn;
 /// F. Crow, «The Origins of the Teapot», IEEE CG&A 7(1), 1987. The four patches of the base were added to
 /// Newell's 28 later.
+#[doc(alias = "Utah teapot")]
 pub fn teapot(divisions: u32) -> Result<Mesh, SolidError> {
     at_least("divisions", divisions, 2)?;
     let n = u128::from(divisions);

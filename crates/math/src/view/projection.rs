@@ -48,6 +48,8 @@ use crate::scaling::{product_over, split};
 /// # References
 ///
 /// CIS 781, «Standard glFrustum Projection Matrix».
+#[doc(alias = "glFrustum")]
+#[doc(alias = "projection matrix")]
 pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Result<DMat4, ViewError> {
     with_far(window(l, r, b, t, n)?, n, f)
 }
@@ -94,6 +96,7 @@ pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Result<DMat4, 
 ///
 /// CIS 781, «Limit glFrustum Matrix as Far Plane is Moved to Infinity» and «Verifying P_inf Will Not Clip
 /// Infinitely Far Away Vertices».
+#[doc(alias = "infinite projection")]
 pub fn frustum_infinite(l: f64, r: f64, b: f64, t: f64, n: f64) -> Result<DMat4, ViewError> {
     let mut m = window(l, r, b, t, n)?;
     m.w_axis.z = -2.0 * n;
@@ -151,6 +154,9 @@ fn window(l: f64, r: f64, b: f64, t: f64, n: f64) -> Result<DMat4, ViewError> {
 /// # References
 ///
 /// CIS 781, «Standard glFrustum Projection Matrix», in its symmetric form.
+#[doc(alias = "gluPerspective")]
+#[doc(alias = "field of view")]
+#[doc(alias = "fov")]
 pub fn perspective(fov_y: f64, aspect: f64, n: f64, f: f64) -> Result<DMat4, ViewError> {
     finite("the field of view", fov_y)?;
     if fov_y <= 0.0 || fov_y >= PI {
@@ -206,6 +212,8 @@ pub fn perspective(fov_y: f64, aspect: f64, n: f64, f: f64) -> Result<DMat4, Vie
 /// # References
 ///
 /// In no deck; the camera of a light at infinity.
+#[doc(alias = "glOrtho")]
+#[doc(alias = "parallel projection")]
 pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> Result<DMat4, ViewError> {
     let shift_x = shift("left and right", l, r)?;
     let shift_y = shift("bottom and top", b, t)?;

@@ -45,6 +45,7 @@ pub fn trace(a: IVec2, b: IVec2) -> Trace {
 }
 
 /// A decision of [`trace`].
+#[doc(alias = "decision variable")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Step {
     /// P, the pixel where the decision is taken.

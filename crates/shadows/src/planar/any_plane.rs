@@ -167,9 +167,9 @@ pub mod counted {
 ///
 /// # Pitfalls
 ///
-/// - Bologna's slide prints the transpose (erratum E1): Lπᵀ has the rows L_x (a, b, c, d), L_y (a, b, c, d), …; what it shows is what a
+/// - Bologna's slide prints the transpose (erratum [E1](crate#e1)): Lπᵀ has the rows L_x (a, b, c, d), L_y (a, b, c, d), …; what it shows is what a
 ///   column-major array of those rows looks like. Olomouc's has one entry wrong and stands for row
-///   vectors (E2).
+///   vectors ([E2](crate#e2)).
 /// - A slide's w is y_P − y_L, negative for every true shadow: clipping then throws them all away.
 /// - Divide by w, and only after clipping.
 /// - M V loses the digits that cancel: see the [module's](super) page.
@@ -197,6 +197,7 @@ pub mod counted {
 ///
 /// Bologna, «Ombre su piani in WebGL»; Olomouc, «Projekce na libovolnou plochu». J. Blinn, «Me and my (fake) shadow»,
 /// 1988.
+#[doc(alias = "shadow projection matrix")]
 pub fn shadow_matrix(plane: Plane, light: DVec4) -> Result<DMat4, PlanarShadowError> {
     check_light(light)?;
     if !plane.coefficients().is_finite() {

@@ -51,6 +51,9 @@ use super::error::{PlanarShadowError, check_light};
 /// # References
 ///
 /// Olomouc, «Zdroj v nekonečnu».
+#[doc(alias = "directional light")]
+#[doc(alias = "light at infinity")]
+#[doc(alias = "sun")]
 pub fn ground_matrix_directional(l: DVec3) -> Result<DMat4, PlanarShadowError> {
     let light = l.extend(0.0);
     check_light(light)?;

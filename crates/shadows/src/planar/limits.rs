@@ -77,6 +77,8 @@ pub enum Placement {
 /// # References
 ///
 /// Olomouc, «Zdroj světla v bodě» and «Nevýhody»; Croatian 8.4, projected shadows.
+#[doc(alias = "false shadow")]
+#[doc(alias = "anti-shadow")]
 #[must_use]
 pub fn classify(plane: Plane, light: DVec4, v: DVec3) -> Option<Placement> {
     let light = towards_place(light);
@@ -107,7 +109,7 @@ pub fn classify(plane: Plane, light: DVec4, v: DVec3) -> Option<Placement> {
 /// ```text
 /// the part of the polygon with   n·V + d ≥ 0     (on the light's side)
 ///                         and   s − L_w t ≥ 0   (below the light),
-/// each vertex cast:   (P, 1),   or (L_w V − L, 0), a direction, where it is level with the light
+/// each vertex cast:  (P, 1), or (L_w V − L, 0), a direction, where it is level with the light
 /// ```
 ///
 /// # Properties
@@ -264,6 +266,7 @@ pub fn cast_polygon_each(plane: Plane, lights: &[DVec4], polygon: &[DVec3]) -> V
 ///
 /// Olomouc, «Projekční metody»: the shadow polygon may reach beyond its target and must be clipped; Croatian 8.4,
 /// projected shadows.
+#[doc(alias = "receiver")]
 #[must_use]
 pub fn cast_onto(receiver: &[DVec3], light: DVec4, polygon: &[DVec3]) -> Vec<DVec3> {
     if !receiver.iter().all(|p| p.is_finite()) {

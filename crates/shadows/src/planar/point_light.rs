@@ -52,6 +52,7 @@ use super::error::{PlanarShadowError, check_light};
 /// # References
 ///
 /// Bologna, «Ombre su piani», special case; Olomouc, «Zdroj světla v bodě».
+#[doc(alias = "point light")]
 pub fn ground_matrix_point(l: DVec3) -> Result<DMat4, PlanarShadowError> {
     let light = l.extend(1.0);
     check_light(light)?;

@@ -236,7 +236,8 @@ fn block<S: Simd, F: DepthFormat, I: Paint>(
 /// Where a row begins and ends, found without looking at its pixels.
 ///
 /// ```text
-/// e + k across ≥ least     k ≥ (least − e) / across on a left side, k ≤ the same on a right one
+/// e + k across ≥ least
+/// k ≥ (least − e) / across on a left side, k ≤ the same on a right one
 /// ```
 #[derive(Clone, Copy)]
 struct RowEnds {
