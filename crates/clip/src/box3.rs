@@ -5,16 +5,12 @@ use core::cmp::Ordering;
 use ombra_math::glam::{DVec2, DVec3};
 use ombra_math::work::{Count, Counter};
 
+use crate::cohen_sutherland;
 use crate::crossing::{at, compare};
 use crate::segment::Segment;
-use crate::window::Line;
+use crate::window::{CornersError, Line};
 
-mod error;
 mod fast;
-mod outcode;
-
-pub use error::Box3Error;
-pub use outcode::{Outcode, outcode};
 
 /// The box x_min ≤ x ≤ x_max, y_min ≤ y ≤ y_max, z_min ≤ z ≤ z_max, its border included.
 ///
@@ -92,17 +88,19 @@ pub fn clip_segment_plain(
 /// Where the segment as given crosses a face, and the code of that point: of the true one, of which the point is the
 /// nearest double.
 fn crossing(bounds: &Box3, given: [DVec3; 2], face: Face) -> (DVec3, Outcode) {
-    let (axis, limit) = (face.axis(), face.limit(bounds));
-    let (p, line) = (cut(given, axis, limit), Line::Vertical(limit));
+    let (axis, limit) = face.place(bounds);
+    let (p, line) = (cut(given, (axis, limit)), Line::Vertical(limit));
     let mut code = Outcode::default();
-    for other in Face::ALL.into_iter().filter(|other| other.axis() != axis) {
-        let flat = seen(given, axis, other.axis());
-        let (along, limit) = (p[other.axis()], other.limit(bounds));
+    for other in Face::ALL {
+        let (along, limit) = other.place(bounds);
+        if along == axis {
+            continue;
+        }
         let beyond = match other {
             Face::Above | Face::Right | Face::InFront => Ordering::Greater,
             Face::Below | Face::Left | Face::Behind => Ordering::Less,
         };
-        if compare(flat, line, along, limit) == beyond {
+        if compare(seen(given, axis, along), line, p[along], limit) == beyond {
             code = code | Outcode::of(other);
         }
     }
@@ -152,6 +150,9 @@ pub mod counted {
     pub use super::fast::clip_segment;
 }
 
+/// Why two corners are no box.
+pub type Box3Error = CornersError<DVec3>;
+
 impl Box3 {
     /// The box with the corners `min` and `max`.
     ///
@@ -159,15 +160,10 @@ impl Box3 {
     ///
     /// A coordinate that is not finite, or one of `min` that exceeds that of `max`.
     pub fn new(min: DVec3, max: DVec3) -> Result<Self, Box3Error> {
-        for corner in [min, max] {
-            if !corner.is_finite() {
-                return Err(Box3Error::NotFinite { corner });
-            }
-        }
-        if min.cmple(max).all() {
-            Ok(Self { min, max })
-        } else {
-            Err(Box3Error::Swapped { min, max })
+        match [min, max].into_iter().find(|p| !p.is_finite()) {
+            Some(corner) => Err(Box3Error::NotFinite { corner }),
+            None if min.cmple(max).all() => Ok(Self { min, max }),
+            None => Err(Box3Error::Swapped { min, max }),
         }
     }
 
@@ -182,6 +178,48 @@ impl Box3 {
         !self.min.cmple(self.max).all()
     }
 }
+
+/// Where a point lies: above, below, right, left of the box, in front of it, behind it.
+///
+/// # Formula
+///
+/// ```text
+/// bit 1: y > y_max      bit 2: y < y_min      bit 3: x > x_max      bit 4: x < x_min
+/// bit 5: z > z_max      bit 6: z < z_min
+/// ```
+///
+/// # Properties
+///
+/// Bits are written from left to right; the first four are those of the plane. In front is where z is greater, for
+/// eyes that look along −z. Displayed, `100101` is above, to the left and behind.
+///
+/// # References
+///
+/// Grafica 3, «Algoritmo Cohen-Sutherland» and «Clipping».
+pub type Outcode = cohen_sutherland::Outcode<6>;
+
+/// The region of `p`: 000000 exactly where [`Box3::contains`] says inside. NaN sets both bits of its axis.
+///
+/// # Examples
+///
+/// ```
+/// use ombra_clip::box3::{Box3, outcode};
+/// use ombra_math::glam::DVec3;
+///
+/// let cube = Box3::new(DVec3::ZERO, DVec3::splat(10.0))?;
+/// assert_eq!(outcode(&cube, DVec3::new(-1.0, 11.0, -1.0)).to_string(), "100101");
+/// # Ok::<(), ombra_clip::box3::Box3Error>(())
+/// ```
+#[allow(clippy::neg_cmp_op_on_partial_ord)] // so that NaN is not inside
+#[must_use]
+pub fn outcode(bounds: &Box3, p: DVec3) -> Outcode {
+    let axis =
+        |k: usize| u8::from(!(p[k] <= bounds.max[k])) << 1 | u8::from(!(p[k] >= bounds.min[k]));
+    cohen_sutherland::Outcode(axis(1) << 4 | axis(0) << 2 | axis(2))
+}
+
+/// An axis, and where on it.
+type Place = (usize, f64);
 
 /// A face of a box, in the order of the bits.
 #[derive(Clone, Copy)]
@@ -204,37 +242,40 @@ impl Face {
         Self::Behind,
     ];
 
-    /// Which coordinate is the same all over it.
+    /// The axis across it, and where on that it stands.
     #[inline]
-    const fn axis(self) -> usize {
+    const fn place(self, bounds: &Box3) -> Place {
         match self {
-            Self::Right | Self::Left => 0,
-            Self::Above | Self::Below => 1,
-            Self::InFront | Self::Behind => 2,
+            Self::Above => (1, bounds.max.y),
+            Self::Below => (1, bounds.min.y),
+            Self::Right => (0, bounds.max.x),
+            Self::Left => (0, bounds.min.x),
+            Self::InFront => (2, bounds.max.z),
+            Self::Behind => (2, bounds.min.z),
         }
     }
+}
 
-    /// What that coordinate is.
-    #[inline]
-    fn limit(self, bounds: &Box3) -> f64 {
-        match self {
-            Self::Above | Self::Right | Self::InFront => bounds.max[self.axis()],
-            Self::Below | Self::Left | Self::Behind => bounds.min[self.axis()],
-        }
+impl Outcode {
+    /// The code with the one bit of a face.
+    const fn of(face: Face) -> Self {
+        Self(1 << (5 - face as u8))
+    }
+
+    /// Whether the bit of a face is 1.
+    const fn has(self, face: Face) -> bool {
+        self.0 & Self::of(face).0 != 0
     }
 }
 
 /// Where a segment with its ends on either side of a face crosses it.
 #[inline]
-fn cut([a, b]: [DVec3; 2], axis: usize, limit: f64) -> DVec3 {
-    let coordinate = |k: usize| {
-        if k == axis {
-            limit + 0.0
-        } else {
-            at(limit, [a[axis], b[axis]], [a[k], b[k]])
-        }
-    };
-    DVec3::new(coordinate(0), coordinate(1), coordinate(2))
+fn cut([a, b]: [DVec3; 2], (axis, limit): Place) -> DVec3 {
+    let across = [a[axis], b[axis]];
+    DVec3::from_array([0, 1, 2].map(|k| match k == axis {
+        true => limit + 0.0,
+        false => at(limit, across, [a[k], b[k]]),
+    }))
 }
 
 /// A segment as seen along a third axis.

@@ -111,4 +111,4 @@ pub mod sutherland_hodgman;
 pub mod window;
 
 pub use segment::Segment;
-pub use window::{Window, WindowError};
+pub use window::{CornersError, Window, WindowError};

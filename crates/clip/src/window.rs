@@ -38,40 +38,40 @@ pub struct Window {
 }
 
 /// Why two corners are no window.
+pub type WindowError = CornersError<DVec2>;
+
+/// Why two corners are no window in the plane, no box in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum WindowError {
+pub enum CornersError<V> {
     /// A coordinate is NaN or infinite.
     NotFinite {
         /// The corner with that coordinate.
-        corner: DVec2,
+        corner: V,
     },
-    /// The lower corner lies above or to the right of the upper one.
+    /// A coordinate of the first corner exceeds the second's.
     Swapped {
-        /// The corner given as the lower.
-        min: DVec2,
-        /// The corner given as the upper.
-        max: DVec2,
+        /// The corner given as the one with the least coordinates.
+        min: V,
+        /// The corner given as the one with the greatest.
+        max: V,
     },
 }
 
-impl fmt::Display for WindowError {
+impl<V: fmt::Display> fmt::Display for CornersError<V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotFinite { corner } => {
-                write!(
-                    f,
-                    "window corner {corner}: both coordinates must be finite numbers"
-                )
+            Self::NotFinite { corner: p } => {
+                write!(f, "corner {p}: each coordinate must be a finite number")
             }
-            Self::Swapped { min, max } => write!(
-                f,
-                "window from {min} to {max}: neither coordinate of the first corner may exceed the second's"
-            ),
+            Self::Swapped { min, max } => {
+                write!(f, "corners from {min} to {max}: ")?;
+                f.write_str("no coordinate of the first may exceed the second's")
+            }
         }
     }
 }
 
-impl core::error::Error for WindowError {}
+impl<V: fmt::Debug + fmt::Display> core::error::Error for CornersError<V> {}
 
 /// A side of a window, in the order of the lecture's bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -108,15 +108,10 @@ impl Window {
     /// assert!(error.to_string().contains("from [10, 10] to [0, 0]"));
     /// ```
     pub fn new(min: DVec2, max: DVec2) -> Result<Self, WindowError> {
-        for corner in [min, max] {
-            if !corner.is_finite() {
-                return Err(WindowError::NotFinite { corner });
-            }
-        }
-        if min.x <= max.x && min.y <= max.y {
-            Ok(Self { min, max })
-        } else {
-            Err(WindowError::Swapped { min, max })
+        match [min, max].into_iter().find(|p| !p.is_finite()) {
+            Some(corner) => Err(WindowError::NotFinite { corner }),
+            None if min.cmple(max).all() => Ok(Self { min, max }),
+            None => Err(WindowError::Swapped { min, max }),
         }
     }
 

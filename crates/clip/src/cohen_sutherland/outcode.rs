@@ -20,7 +20,8 @@ use crate::window::{Side, Window};
 ///
 /// # Properties
 ///
-/// Bits are written from left to right, as the lecture does. 0000 is the window itself, border included.
+/// Bits are written from left to right, as the lecture does. 0000 is the window itself, border included. A code of six
+/// bits, `Outcode<6>`, is that of a [box](crate::box3::Outcode).
 ///
 /// # References
 ///
@@ -29,7 +30,7 @@ use crate::window::{Side, Window};
 #[doc(alias = "area code")]
 #[doc(alias = "clip code")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Outcode(u8);
+pub struct Outcode<const BITS: usize = 4>(pub(crate) u8);
 
 impl Outcode {
     /// 0000.
@@ -54,7 +55,15 @@ impl Outcode {
         }
     }
 
-    /// The four bits as a number, `0b1001` for 1001.
+    /// Whether the bit of `side` is 1.
+    #[must_use]
+    pub const fn has(self, side: Side) -> bool {
+        self.0 & Self::of(side).0 != 0
+    }
+}
+
+impl<const BITS: usize> Outcode<BITS> {
+    /// The bits as a number, `0b1001` for 1001.
     #[must_use]
     pub const fn bits(self) -> u8 {
         self.0
@@ -65,29 +74,23 @@ impl Outcode {
     pub const fn is_inside(self) -> bool {
         self.0 == 0
     }
-
-    /// Whether the bit of `side` is 1.
-    #[must_use]
-    pub const fn has(self, side: Side) -> bool {
-        self.0 & Self::of(side).0 != 0
-    }
 }
 
-/// Four digits: `1001` is above and to the left.
-impl fmt::Display for Outcode {
+/// A digit a bit: `1001` is above and to the left.
+impl<const BITS: usize> fmt::Display for Outcode<BITS> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:04b}", self.0)
+        write!(f, "{:0BITS$b}", self.0)
     }
 }
 
-impl BitAnd for Outcode {
+impl<const BITS: usize> BitAnd for Outcode<BITS> {
     type Output = Self;
     fn bitand(self, other: Self) -> Self {
         Self(self.0 & other.0)
     }
 }
 
-impl BitOr for Outcode {
+impl<const BITS: usize> BitOr for Outcode<BITS> {
     type Output = Self;
     fn bitor(self, other: Self) -> Self {
         Self(self.0 | other.0)
