@@ -24,23 +24,15 @@ impl<S: Copy> Interval<S> {
         &mut self,
         side: S,
         beyond: [bool; 2],
-        order: impl FnOnce(S, S) -> Ordering,
+        mut order: impl FnMut(S, S) -> Ordering,
     ) -> Option<()> {
-        match beyond {
-            [false, false] => {}
-            [true, true] => return None,
-            [true, false] => {
-                let is_later = |latest| order(side, latest) == Ordering::Greater;
-                if self.entry.is_none_or(is_later) {
-                    self.entry = Some(side);
-                }
-            }
-            [false, true] => {
-                let is_earlier = |earliest| order(side, earliest) == Ordering::Less;
-                if self.exit.is_none_or(is_earlier) {
-                    self.exit = Some(side);
-                }
-            }
+        match (beyond, self.entry, self.exit) {
+            ([true, true], ..) => return None,
+            ([true, false], Some(latest), _) if order(side, latest).is_le() => {}
+            ([true, false], ..) => self.entry = Some(side),
+            ([false, true], _, Some(earliest)) if order(side, earliest).is_ge() => {}
+            ([false, true], ..) => self.exit = Some(side),
+            ([false, false], ..) => {}
         }
         Some(())
     }
@@ -56,13 +48,11 @@ impl<S: Copy> Interval<S> {
         work: &mut W,
     ) -> Option<[P; 2]> {
         if let (Some(entry), Some(exit)) = (self.entry, self.exit)
-            && order(entry, exit, work) == Ordering::Greater
+            && order(entry, exit, work).is_gt()
         {
             return None;
         }
-        Some([
-            self.entry.map_or(a, |side| crossing(side, work)),
-            self.exit.map_or(b, |side| crossing(side, work)),
-        ])
+        let mut at = |side: Option<S>, end| side.map_or(end, |side| crossing(side, work));
+        Some([at(self.entry, a), at(self.exit, b)])
     }
 }

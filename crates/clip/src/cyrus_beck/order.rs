@@ -14,10 +14,14 @@ pub(super) fn products(plane: &Plane, x: DVec3) -> [[f64; 2]; 4] {
     [[n.x, x.x], [n.y, x.y], [n.z, x.z], [plane.d, 1.0]]
 }
 
+/// A number with the sign of n·x + d, and a power of two to scale it by.
+fn side(plane: &Plane, x: DVec3) -> (f64, i32) {
+    dot(plane.coefficients(), point(x))
+}
+
 /// Which of two planes, each with a and b on different sides, is met first on the way from a to b.
 pub(super) fn order(p: &Plane, q: &Plane, a: DVec3, b: DVec3) -> Ordering {
     // t_p < t_q  ⇔  |s_p(a)| |s_q(b)| < |s_q(a)| |s_p(b)|
-    let side = |plane: &Plane, x: DVec3| dot(plane.coefficients(), point(x));
     let product = |(f, e): (f64, i32), (g, h): (f64, i32)| (f.abs() * g.abs(), e + h);
     let (left, e) = product(side(p, a), side(q, b));
     let (right, h) = product(side(q, a), side(p, b));
@@ -27,8 +31,16 @@ pub(super) fn order(p: &Plane, q: &Plane, a: DVec3, b: DVec3) -> Ordering {
     // Four values within ε and two products: 6ε of the larger.
     let certain = (left - right).abs() > 8.0 * f64::EPSILON * left.max(right);
     if certain {
-        return rounded;
+        rounded
+    } else {
+        order_carefully(p, q, [a, b])
     }
+}
+
+/// The same, exactly.
+#[cold]
+#[inline(never)]
+fn order_carefully(p: &Plane, q: &Plane, [a, b]: [DVec3; 2]) -> Ordering {
     let coordinates = [p.normal, q.normal, a, b]
         .into_iter()
         .flat_map(|v| v.to_array())
