@@ -129,41 +129,27 @@ pub(crate) fn compare(segment: Segment, line: Line, rounded: f64, limit: f64) ->
 pub(crate) fn compare_exactly(segment: Segment, line: Line, limit: f64) -> Ordering {
     let Segment { a, b } = segment;
     // Left of an upward segment is smaller x; left of one to the right is larger y.
-    let (corner, turned) = match line {
-        Line::Vertical(x) => (DVec2::new(x, limit), a.x < b.x),
-        Line::Horizontal(y) => (DVec2::new(limit, y), a.y > b.y),
+    let turned = match line {
+        Line::Vertical(_) => a.x < b.x,
+        Line::Horizontal(_) => a.y > b.y,
     };
-    match orient_2d(a, b, corner) {
-        Some(side) if turned => side.reverse(),
-        Some(side) => side,
-        None => Ordering::Equal,
-    }
+    let side = orient_2d(a, b, line.point(limit)).unwrap_or(Ordering::Equal);
+    if turned { side.reverse() } else { side }
 }
 
 /// [`compare_exactly`], in doubles where their error bound allows.
 #[inline]
 pub(crate) fn compare_quickly(segment: Segment, line: Line, limit: f64) -> Ordering {
-    let Segment { a, b } = segment;
     // How far the crossing is beyond the limit, times the height of b above a.
-    let (height, left, right) = match line {
-        Line::Vertical(x) => (
-            b.x - a.x,
-            (x - a.x) * (b.y - a.y),
-            (limit - a.y) * (b.x - a.x),
-        ),
-        Line::Horizontal(y) => (
-            b.y - a.y,
-            (y - a.y) * (b.x - a.x),
-            (limit - a.x) * (b.y - a.y),
-        ),
-    };
+    let [[a, b], [p, q]] = line.turn(segment.a, segment.b);
+    let (height, left) = (b - a, (line.place() - a) * (q - p));
+    let right = (limit - p) * height;
     let (difference, size) = (left - right, left.abs() + right.abs());
     // Each product has three roundings, and their difference one.
     if difference.abs() > 4.0 * f64::EPSILON * size && size > 1.0 / LARGE {
-        if (difference > 0.0) == (height > 0.0) {
-            Ordering::Greater
-        } else {
-            Ordering::Less
+        match (difference > 0.0) == (height > 0.0) {
+            true => Ordering::Greater,
+            false => Ordering::Less,
         }
     } else {
         compare_exactly(segment, line, limit)

@@ -9,7 +9,7 @@ use ombra_math::work::{Count, Counter};
 
 use crate::crossing::cut_in_window;
 use crate::segment::Segment;
-use crate::window::{Line, Side, Window};
+use crate::window::{Side, Window};
 
 /// [`clip_segment`] as the slide tells it, counting its [work](crate#counted-work).
 ///
@@ -39,12 +39,10 @@ pub fn clip_segment_plain(
     for side in Side::ALL {
         // Not parallel to the side, and 0 < t_segm < 1: just one end lies beyond it.
         let line = window.line(side);
-        let beyond = [
-            window.is_beyond(side, segment.a),
-            window.is_beyond(side, segment.b),
-        ];
+        let [[from, to], _] = line.turn(segment.a, segment.b);
+        let beyond = [segment.a, segment.b].map(|end| window.is_beyond(side, end));
         work.add(Counter::Comparisons, 3);
-        if is_parallel(segment, line) || beyond[0] == beyond[1] {
+        if from == to || beyond[0] == beyond[1] {
             continue;
         }
         // 0 ≤ t_side ≤ 1: the intersection lies within the side.
@@ -61,11 +59,6 @@ pub fn clip_segment_plain(
         }
     }
     (inside == [true, true]).then_some(Segment { a, b })
-}
-
-fn is_parallel(Segment { a, b }: Segment, line: Line) -> bool {
-    let [[a, b], _] = line.turn(a, b);
-    a == b
 }
 
 /// The part of `segment` in `window`, or `None` if there is none.

@@ -20,12 +20,7 @@ pub(crate) fn at(c: f64, x: [f64; 2], y: [f64; 2]) -> f64 {
 #[cold]
 #[inline(never)]
 pub(super) fn at_carefully(c: f64, [x0, x1]: [f64; 2], y: [f64; 2]) -> f64 {
-    let u = DoubleDouble::sum(c, -x0);
-    let w = DoubleDouble::sum(x1, -x0);
-    match rounded(u, w, y, SLACK) {
-        Some(y) => y + 0.0, // not −0
-        None => exact(&[[x0, 1.0], [-c, 1.0]], &[[x1, 1.0], [-c, 1.0]], y),
-    }
+    between([x0, -c], [x1, -c], y)
 }
 
 /// Fast form: several answers of [`at`] at once, with a mask where they are certain.
@@ -82,7 +77,7 @@ pub(crate) fn between(s0: [f64; 2], s1: [f64; 2], y: [f64; 2]) -> f64 {
     let u = -DoubleDouble::sum(s0[0], s0[1]);
     let w = DoubleDouble::sum(s1[0], s1[1]) + u;
     match rounded(u, w, y, SLACK) {
-        Some(y) => y + 0.0,
+        Some(y) => y + 0.0, // not −0
         None => exact(&s0.map(|s| [s, 1.0]), &s1.map(|s| [s, 1.0]), y),
     }
 }

@@ -34,15 +34,11 @@ impl Queue {
         if i >= LENGTH {
             return;
         }
-        let upright = matches!(line, Line::Vertical(_));
-        let (c, across, along) = match line {
-            Line::Vertical(x) => (x, [a.x, b.x], [a.y, b.y]),
-            Line::Horizontal(y) => (y, [a.y, b.y], [a.x, b.x]),
-        };
-        self.c[i] = c;
-        (self.across[0][i], self.across[1][i]) = (across[0], across[1]);
-        (self.along[0][i], self.along[1][i]) = (along[0], along[1]);
-        self.upright[i] = upright;
+        self.c[i] = line.place();
+        let [across, along] = line.turn(a, b);
+        [self.across[0][i], self.across[1][i]] = across;
+        [self.along[0][i], self.along[1][i]] = along;
+        self.upright[i] = line.is_vertical();
         self.place[i] = place;
         self.length = i + 1;
     }
