@@ -115,12 +115,9 @@ pub(crate) fn cut_in_window(window: &Window, segment: Segment, line: Line) -> Op
 #[inline]
 pub(crate) fn compare(segment: Segment, line: Line, rounded: f64, limit: f64) -> Ordering {
     // Rounding keeps order, so only equality needs a second look.
-    if rounded < limit {
-        Ordering::Less
-    } else if rounded > limit {
-        Ordering::Greater
-    } else {
-        compare_exactly(segment, line, limit)
+    match rounded.partial_cmp(&limit) {
+        None | Some(Ordering::Equal) => compare_exactly(segment, line, limit),
+        Some(order) => order,
     }
 }
 

@@ -158,10 +158,9 @@ fn order_of_sides(
 fn crossing(Segment { a, b }: Segment, edge: Edge, work: &mut impl Count) -> DVec2 {
     work.add(Counter::Divisions, 1);
     let (sa, sb) = (distance(edge, a), distance(edge, b));
-    DVec2::new(
-        between_products(&sa, &sb, [a.x, b.x]),
-        between_products(&sa, &sb, [a.y, b.y]),
-    )
+    [0, 1]
+        .map(|k| between_products(&sa, &sb, [a[k], b[k]]))
+        .into()
 }
 
 /// The part of `segment` in a convex polygon, or `None` if there is none.

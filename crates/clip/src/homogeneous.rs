@@ -7,19 +7,21 @@
 #![doc(alias = "view frustum")]
 #![doc(alias = "canonical view volume")]
 
+use core::array;
+
 use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::work::{Count, Counter};
 
 use crate::crossing::between;
 use crate::interval::Interval;
+use crate::outline::closed;
 use crate::sutherland_hodgman::clip_by_plain;
 
 mod fast;
-mod order;
 mod plane;
 
-use order::order;
 pub use plane::ViewPlane;
+use plane::order;
 
 /// A corner of a polygon before the division by w: where it is, and numbers that are linear over the polygon (colour,
 /// texture coordinates, a normal).
@@ -99,7 +101,7 @@ pub fn clip_polygon_to_plain<const N: usize>(
         let side = |v: Vertex<N>| plane.side(v.position);
         clipped = clip_by_plain(&clipped, side, |a, b, _, _| cut(plane, a, b), work);
     }
-    closed(clipped)
+    settled(clipped)
 }
 
 fn is_point(p: DVec4) -> bool {
@@ -109,36 +111,23 @@ fn is_point(p: DVec4) -> bool {
 /// The crossing of a b with a plane that has them on different sides.
 fn crossing(plane: ViewPlane, a: DVec4, b: DVec4) -> DVec4 {
     let (sa, sb) = (plane.terms(a), plane.terms(b));
-    let at = |k: usize| between(sa, sb, [a[k], b[k]]);
-    DVec4::new(at(0), at(1), at(2), at(3))
+    DVec4::from_array([0, 1, 2, 3].map(|k| between(sa, sb, [a[k], b[k]])))
 }
 
 fn cut<const N: usize>(plane: ViewPlane, a: Vertex<N>, b: Vertex<N>) -> Vertex<N> {
     let (sa, sb) = (plane.terms(a.position), plane.terms(b.position));
-    let mut attributes = a.attributes;
-    for (x, (&p, &q)) in attributes
-        .iter_mut()
-        .zip(a.attributes.iter().zip(&b.attributes))
-    {
-        *x = between(sa, sb, [p, q]);
-    }
+    let (p, q) = (a.attributes, b.attributes);
     Vertex {
         position: crossing(plane, a.position, b.position),
-        attributes,
+        attributes: array::from_fn(|k| between(sa, sb, [p[k], q[k]])),
     }
 }
 
 /// Without corners at (0, 0, 0, 0), which an edge through that leaves and which is no point, and without repeated ones.
-fn closed<const N: usize>(mut polygon: Vec<Vertex<N>>) -> Vec<Vertex<N>> {
+fn settled<const N: usize>(mut polygon: Vec<Vertex<N>>) -> Vec<Vertex<N>> {
     polygon.retain(|v| v.position != DVec4::ZERO);
     polygon.dedup();
-    while polygon.len() > 1 && polygon.first() == polygon.last() {
-        polygon.pop();
-    }
-    if polygon.len() < 3 {
-        polygon.clear();
-    }
-    polygon
+    closed(polygon)
 }
 
 /// Whether a homogeneous point lies in the view volume, border included.

@@ -14,11 +14,8 @@ pub(crate) struct Outline {
 }
 
 impl Outline {
-    pub(crate) fn with_capacity(vertices: usize) -> Self {
-        Self {
-            points: Vec::with_capacity(vertices),
-            settled: 0,
-        }
+    pub(crate) const fn of(points: Vec<DVec2>) -> Self {
+        Self { points, settled: 0 }
     }
 
     /// Whether none follows itself, for certain.
@@ -58,20 +55,29 @@ impl Outline {
     /// The polygon; empty if fewer than three vertices are left or all lie along one side of the window.
     pub(crate) fn close(mut self, window: &Window) -> Vec<DVec2> {
         self.settle();
-        while self.points.len() > 1 && self.points.first() == self.points.last() {
-            self.points.pop();
-        }
+        let mut points = closed(self.points);
         let along_a_side = [
-            self.points.iter().all(|p| p.y == window.max.y),
-            self.points.iter().all(|p| p.y == window.min.y),
-            self.points.iter().all(|p| p.x == window.max.x),
-            self.points.iter().all(|p| p.x == window.min.x),
+            points.iter().all(|p| p.y == window.max.y),
+            points.iter().all(|p| p.y == window.min.y),
+            points.iter().all(|p| p.x == window.max.x),
+            points.iter().all(|p| p.x == window.min.x),
         ];
-        if self.points.len() < 3 || along_a_side.contains(&true) {
-            self.points.clear();
+        if along_a_side.contains(&true) {
+            points.clear();
         }
-        self.points
+        points
     }
+}
+
+/// A polygon without its first vertex again at the end; empty if fewer than three are left.
+pub(crate) fn closed<V: PartialEq>(mut polygon: Vec<V>) -> Vec<V> {
+    while polygon.len() > 1 && polygon.first() == polygon.last() {
+        polygon.pop();
+    }
+    if polygon.len() < 3 {
+        polygon.clear();
+    }
+    polygon
 }
 
 /// Whether no coordinate is NaN or infinite.

@@ -17,7 +17,7 @@ use crate::window::Window;
 
 use chains::Chains;
 use ends::Border;
-use links::{Links, winding_beside_first_corner};
+use links::{links, winding_beside_first_corner};
 
 mod chains;
 mod ends;
@@ -46,9 +46,8 @@ pub fn clip_polygon_plain(
     work.add(Counter::Comparisons, 4 * inside as u64);
     if inside == polygon.len() {
         work.add(Counter::Vertices, inside as u64);
-        let mut outline = Outline::with_capacity(inside);
-        outline.points.extend_from_slice(polygon);
-        return not_empty(outline.close(window)).into_iter().collect();
+        let whole = Outline::of(polygon.to_vec()).close(window);
+        return not_empty(whole).into_iter().collect();
     }
     if !is_finite(polygon) {
         return Vec::new();
@@ -61,10 +60,8 @@ pub fn clip_polygon_plain(
         return around(window, winding);
     }
     // From each X along the border, to the E where the polygon comes back.
-    let Links {
-        mut next,
-        around: whole,
-    } = Links::of(&mut chains, Border { window, polygon }, winding, work);
+    let border = Border { window, polygon };
+    let (mut next, whole) = links(&mut chains, border, winding, work);
     // Walk along a chain, along the border to the next one, and so on until the piece is closed.
     let mut pieces = Vec::new();
     for first in 0..next.len() {

@@ -12,7 +12,7 @@ use core::cmp::Ordering;
 use ombra_math::glam::DVec2;
 use ombra_math::work::{Count, Counter};
 
-use crate::outline::{Outline, edges, is_finite};
+use crate::outline::{Outline, closed, edges, is_finite};
 use crate::window::{Side, Window};
 
 use vertex::Vertex;
@@ -77,10 +77,7 @@ pub fn clip_by_plain<V: Copy + PartialEq>(
         }
         (a, a_side) = (b, b_side);
     }
-    while kept.len() > 1 && kept.first() == kept.last() {
-        kept.pop();
-    }
-    if kept.len() < 3 { Vec::new() } else { kept }
+    closed(kept)
 }
 
 /// [`clip_polygon`] with one pass for each side, counting its [work](crate#counted-work).
@@ -103,9 +100,7 @@ pub fn clip_polygon_plain(window: &Window, polygon: &[DVec2], work: &mut impl Co
     for side in Side::ALL {
         vertices = pass(window, side, &vertices, work);
     }
-    let mut outline = Outline::with_capacity(vertices.len());
-    outline.points.extend(vertices.iter().map(|v| v.point));
-    outline.close(window)
+    Outline::of(vertices.iter().map(|v| v.point).collect()).close(window)
 }
 
 /// What of a polygon lies on the window's side of one line.

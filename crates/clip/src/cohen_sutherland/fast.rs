@@ -3,11 +3,11 @@
 use ombra_math::glam::{DVec2, Vec2Swizzles};
 use ombra_math::work::{Count, Counter};
 
-use super::outcode;
-use crate::crossing::{cut_in_window, several_at};
+use super::clip_segment_plain;
+use crate::crossing::several_at;
 use crate::lanes::{Mask, and, at_most, less, negative, not, opaque, or, select, turn};
 use crate::segment::Segment;
-use crate::window::{Side, Window};
+use crate::window::Window;
 
 /// [`clip_segment`](super::clip_segment), counting its [work](crate#counted-work): where the codes leave any doubt, that of a crossing for
 /// each end, for both are computed at once.
@@ -38,13 +38,13 @@ pub fn clip_segment(window: &Window, segment: Segment, work: &mut impl Count) ->
     // Each end enters by itself; what is wrong for one inside is not looked at.
     let [left, right, below, above] = distances;
     let within = [left.min(right), below.min(above)];
-    let entries = two_entries(window, [x, y], [x.yx(), y.yx()], within, work);
-    if both_ends(or(entries.certain, not(outside))) != 0 && !window.is_empty() {
-        let x = select(outside, entries.x, x);
-        let y = select(outside, entries.y, y);
+    let (entries, certain, missed) = two_entries(window, [x, y], [x.yx(), y.yx()], within, work);
+    if both_ends(or(certain, not(outside))) != 0 && !window.is_empty() {
+        let x = select(outside, entries[0], x);
+        let y = select(outside, entries[1], y);
         return Some(Segment::new(DVec2::new(x.x, y.x), DVec2::new(x.y, y.y)));
     }
-    let missed = and(entries.missed(), outside);
+    let missed = and(missed, outside);
     if missed[0] | missed[1] != 0 {
         return None;
     }
@@ -55,54 +55,16 @@ fn both_ends(mask: Mask) -> u64 {
     mask[0] & mask[1]
 }
 
-/// The same again, exactly: an end beyond one side is cut there or the segment misses; one in a corner's region is cut
-/// at whichever of its two sides has the crossing in the window.
+/// The same again, exactly.
 #[cold]
 #[inline(never)]
 fn clip_carefully(window: &Window, segment: Segment) -> Option<Segment> {
-    if window.is_empty() || !segment.is_finite() {
-        return None;
-    }
-    let entry = |end: DVec2| {
-        if window.contains(end) {
-            return Some(end);
-        }
-        Side::ALL
-            .into_iter()
-            .filter(|&side| outcode(window, end).has(side))
-            .find_map(|side| cut_in_window(window, segment, window.line(side)))
-    };
-    Some(Segment::new(entry(segment.a)?, entry(segment.b)?))
-}
-
-/// Where two segments, each from outside, enter the window.
-struct Entries {
-    /// The x and the y of both.
-    x: DVec2,
-    y: DVec2,
-    /// Which are certain: in the window, and not at a corner.
-    certain: Mask,
-    /// Along their side: the crossing with its line, the first end, the side.
-    along: DVec2,
-    end: DVec2,
-    low: DVec2,
-    high: DVec2,
-    rounded: Mask,
-}
-
-impl Entries {
-    /// Which do not exist, for certain.
-    #[inline]
-    fn missed(&self) -> Mask {
-        // Beyond a side that the end is not beyond, it misses. At a corner, rounding may have chosen the wrong line.
-        let below = and(less(self.along, self.low), at_most(self.low, self.end));
-        let above = and(less(self.high, self.along), at_most(self.end, self.high));
-        and(self.rounded, or(below, above))
-    }
+    clip_segment_plain(window, segment, &mut ())
 }
 
 /// Where two segments at once enter the window, each coming from outside; x and y of their first ends and of
-/// their second ones, and how far within the window the first ends are in x and in y, negative outside.
+/// their second ones, and how far within the window the first ends are in x and in y, negative outside. The answer: the
+/// x and the y of both entries, which are certain, and which do not exist for certain.
 ///
 /// Without branches: on random segments a wrong guess of the processor costs more than the arithmetic.
 #[inline(always)]
@@ -112,7 +74,7 @@ fn two_entries(
     [bx, by]: [DVec2; 2],
     [within_x, within_y]: [DVec2; 2],
     work: &mut impl Count,
-) -> Entries {
+) -> ([DVec2; 2], Mask, Mask) {
     // For each: is it beyond a side, which line is met last, does the crossing lie within the side?
     work.add(Counter::Comparisons, 2 * 4);
     work.add(Counter::Multiplications, 2 * 2);
@@ -135,15 +97,14 @@ fn two_entries(
     let [_, low] = turn(upright, min_x, min_y);
     let [_, high] = turn(upright, max_x, max_y);
     let (along, rounded) = several_at(c, [a, b], [along_a, along_b]);
-    let [x, y] = turn(upright, c, along);
-    Entries {
-        x,
-        y,
-        certain: and(rounded, and(less(low, along), less(along, high))),
-        along,
-        end: along_a,
-        low,
-        high,
-        rounded,
-    }
+    // In the window, and not at a corner.
+    let certain = and(rounded, and(less(low, along), less(along, high)));
+    // Beyond a side that the end is not beyond, it misses. At a corner, rounding may have chosen the wrong line.
+    let below = and(less(along, low), at_most(low, along_a));
+    let above = and(less(high, along), at_most(along_a, high));
+    (
+        turn(upright, c, along),
+        certain,
+        and(rounded, or(below, above)),
+    )
 }

@@ -47,12 +47,7 @@ impl Outcode {
     /// The code with the one bit of `side`.
     #[must_use]
     pub const fn of(side: Side) -> Self {
-        match side {
-            Side::Above => Self::ABOVE,
-            Side::Below => Self::BELOW,
-            Side::Right => Self::RIGHT,
-            Side::Left => Self::LEFT,
-        }
+        Self(0b1000 >> side as u8)
     }
 
     /// Whether the bit of `side` is 1.

@@ -41,11 +41,9 @@ pub(super) fn order(p: &Plane, q: &Plane, a: DVec3, b: DVec3) -> Ordering {
 #[cold]
 #[inline(never)]
 fn order_carefully(p: &Plane, q: &Plane, [a, b]: [DVec3; 2]) -> Ordering {
-    let coordinates = [p.normal, q.normal, a, b]
-        .into_iter()
-        .flat_map(|v| v.to_array())
-        .chain([p.d, q.d]);
-    if !coordinates.into_iter().all(DoubleDouble::in_range) {
+    let numbers = [p.coefficients(), q.coefficients(), point(a), point(b)];
+    let mut numbers = numbers.iter().flat_map(|v| v.to_array());
+    if !numbers.all(DoubleDouble::in_range) {
         return Ordering::Equal;
     }
     let at_both = |plane: &Plane| [a, b].map(|x| products(plane, x));

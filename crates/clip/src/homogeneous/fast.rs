@@ -2,7 +2,7 @@
 
 use ombra_math::work::{Count, Counter};
 
-use super::{Vertex, ViewPlane, closed, cut, is_point};
+use super::{Vertex, ViewPlane, cut, is_point, settled};
 use crate::sutherland_hodgman::clip_by_plain;
 
 /// [`clip_polygon`](super::clip_polygon), counting its [work](crate#counted-work).
@@ -36,5 +36,5 @@ pub fn clip_polygon_to<const N: usize>(
         }
         clipped = clip_by_plain(&clipped, side, |a, b, _, _| cut(plane, a, b), work);
     }
-    closed(clipped)
+    settled(clipped)
 }

@@ -11,12 +11,15 @@ use crate::crossing::{compare_exactly, compare_quickly};
 use crate::segment::Segment;
 use crate::window::{Line, Side, Window};
 
+/// The sides on the way counter-clockwise from `min`.
+const AROUND: [Side; 4] = [Side::Below, Side::Right, Side::Above, Side::Left];
+
 /// Where a chain meets the border.
 #[derive(Clone, Copy)]
 pub(super) struct End {
     /// The nearest double.
     pub(super) point: DVec2,
-    /// The side on the way counter-clockwise from `min`, 0 to 3; a corner belongs to the side that starts there.
+    /// The number of its side in [`AROUND`]; a corner belongs to the side that starts there.
     pub(super) side: u8,
     /// An entry; otherwise an exit.
     pub(super) is_entry: bool,
@@ -38,16 +41,14 @@ pub(super) fn strict_code(window: &Window, p: DVec2) -> Outcode {
         | bit(p.x <= window.min.x, Outcode::LEFT)
 }
 
-/// Where the line of a side is crossed.
-enum Meets {
-    /// Within the side.
-    Side,
-    /// At one of its ends.
-    Corner(DVec2),
-}
-
-/// Where an edge, coming from beyond the line of a side, crosses it: decided exactly; `None` outside the window.
-fn meets(window: &Window, edge: Segment, side: Side, work: &mut impl Count) -> Option<Meets> {
+/// Where an edge, coming from beyond the line of a side, crosses it: the corner, or the line of which a point within the
+/// side is still to be computed. Decided exactly; `None` outside the window.
+fn meets(
+    window: &Window,
+    edge: Segment,
+    side: Side,
+    work: &mut impl Count,
+) -> Option<(DVec2, Option<Line>)> {
     let Segment { a, b } = edge;
     let line = window.line(side);
     let [_, along] = line.turn(a, b);
@@ -65,10 +66,10 @@ fn meets(window: &Window, edge: Segment, side: Side, work: &mut impl Count) -> O
         if order == outside {
             return None;
         } else if order == Ordering::Equal {
-            return Some(Meets::Corner(line.point(limit + 0.0)));
+            return Some((line.point(limit + 0.0), None));
         }
     }
-    Some(Meets::Side)
+    Some((DVec2::ZERO, Some(line)))
 }
 
 /// A polygon and the window's border that it crosses.
@@ -113,25 +114,16 @@ impl Border<'_> {
         if window.contains(a) {
             return Some(end(a, side_of(window, a), None));
         }
-        let (side, meets) = Side::ALL
+        let (side, (corner, crosses)) = Side::ALL
             .into_iter()
             .filter(|&side| window.is_beyond(side, a))
             .find_map(|side| Some((side, meets(window, inwards, side, work)?)))?;
-        match meets {
-            Meets::Side => {
-                let number = match side {
-                    Side::Below => 0,
-                    Side::Right => 1,
-                    Side::Above => 2,
-                    Side::Left => 3,
-                };
-                Some(end(DVec2::ZERO, number, Some(window.line(side))))
-            }
-            Meets::Corner(corner) => {
-                let goes_in = (strict_code(window, corner) & strict_code(window, b)).is_inside();
-                goes_in.then(|| end(corner, side_of(window, corner), None))
-            }
+        if crosses.is_some() {
+            let number = AROUND.iter().position(|&s| s == side)? as u8;
+            return Some(end(DVec2::ZERO, number, crosses));
         }
+        let goes_in = (strict_code(window, corner) & strict_code(window, b)).is_inside();
+        goes_in.then(|| end(corner, side_of(window, corner), None))
     }
 
     /// The edge that an end is on, the way the polygon runs.
@@ -181,21 +173,17 @@ impl Border<'_> {
 
     /// The order of two ends on one side whose points are the same double.
     fn exact_order(self, e: &End, f: &End) -> Ordering {
-        let window = self.window;
-        let (line, limit, turned) = match e.side {
-            0 => (Line::Horizontal(window.min.y), e.point.x, false),
-            1 => (Line::Vertical(window.max.x), e.point.y, false),
-            2 => (Line::Horizontal(window.max.y), e.point.x, true),
-            _ => (Line::Vertical(window.min.x), e.point.y, true),
-        };
-        let edge = |end: &End| self.inwards(end.edge, true);
+        let side = AROUND.get(usize::from(e.side)).unwrap_or(&Side::Left);
+        let line = self.window.line(*side);
+        let [_, [limit, _]] = line.turn(e.point, e.point);
         let order = match (e.crosses.is_some(), f.crosses.is_some()) {
             (false, false) => Ordering::Equal,
-            (true, false) => compare_exactly(edge(e), line, limit),
-            (false, true) => compare_exactly(edge(f), line, limit).reverse(),
-            (true, true) => order_of_crossings(edge(e), edge(f), line),
+            (true, false) => compare_exactly(self.edge(e), line, limit),
+            (false, true) => compare_exactly(self.edge(f), line, limit).reverse(),
+            (true, true) => order_of_crossings(self.edge(e), self.edge(f), line),
         };
-        if turned { order.reverse() } else { order }
+        // Along the upper side and the left one the way is back.
+        if e.side < 2 { order } else { order.reverse() }
     }
 
     /// Of two ends at one point, the one whose edge leans back more is met first just inside the border.

@@ -89,10 +89,9 @@ pub fn clip_against_line_plain(
         |p| half.side(p),
         |a, b, _, _| {
             let (sa, sb) = (half.products(a), half.products(b));
-            DVec2::new(
-                between_products(&sa, &sb, [a.x, b.x]),
-                between_products(&sa, &sb, [a.y, b.y]),
-            )
+            [0, 1]
+                .map(|k| between_products(&sa, &sb, [a[k], b[k]]))
+                .into()
         },
         work,
     )
@@ -164,7 +163,8 @@ pub fn clip_against_plane_plain(
         &vertices,
         |(_, side)| side,
         |(a, _), (b, _), sa, sb| {
-            let [wa, wb] = weights(sa, sb);
+            // The shares of both ends, from s_in > 0 > s_out below 2.
+            let [wa, wb] = [-sb / (sa - sb), sa / (sa - sb)];
             // Rounding may not leave the edge's box.
             ((a * wa + b * wb).max(a.min(b)).min(a.max(b)), 0.0)
         },
@@ -285,12 +285,6 @@ pub fn clip_homogeneous_plain(
 #[must_use]
 pub fn clip_homogeneous(polygon: &[DVec4], plane: DVec4) -> Vec<DVec4> {
     clip_homogeneous_plain(polygon, plane, &mut ())
-}
-
-/// The shares of the inside and the outside vertex in the crossing, from s_in > 0 > s_out below 2.
-fn weights(s_in: f64, s_out: f64) -> [f64; 2] {
-    let length = s_in - s_out;
-    [-s_out / length, s_in / length]
 }
 
 #[cfg(test)]

@@ -49,7 +49,7 @@ impl<'a> Pipeline<'a> {
             window,
             first: None,
             last: None,
-            out: Outline::with_capacity(vertices + vertices / 2 + 4),
+            out: Outline::of(Vec::with_capacity(vertices + vertices / 2 + 4)),
             queue: Queue::default(),
         }
     }

@@ -107,11 +107,7 @@ impl Pipeline<'_> {
         let [min, max] = [self.window.min.y, self.window.max.y];
         let above = code.bits() & ABOVE != 0;
         Point {
-            code: if upright {
-                code.bits() & RIGHT_OR_LEFT
-            } else {
-                0
-            },
+            code: code.bits() & if upright { RIGHT_OR_LEFT } else { 0 },
             y: if above { max } else { min } + 0.0,
             x: f64::NAN,
             along_edge: true,
