@@ -26,7 +26,7 @@
 //! # Techniques
 //!
 //! - `Sutherland–Hodgman` (the baseline): [`clip_polygon`](ombra_clip::sutherland_hodgman::clip_polygon), in one pass.
-//! - `in four passes`: its plain form, [`clip_polygon_plain`](ombra_clip::sutherland_hodgman::clip_polygon_plain),
+//! - `plain form`: the slide's, [`clip_polygon_plain`](ombra_clip::sutherland_hodgman::clip_polygon_plain), a pass a side,
 //!   which gives the same answer.
 //! - `pieces`: [`pieces::clip_polygon`]. The others leave what falls apart joined by
 //!   edges along the border, which have no area: no error shows that, but an outline drawn does.
@@ -115,7 +115,7 @@ fn question(inputs: String, k: f64, scene: &Rc<WindowAndPolygons>) -> Question {
                 |s, outlines| s.verdict(outlines),
             ),
             case!(
-                "in four passes",
+                "plain form",
                 k,
                 scene,
                 |s, work| s.each(|p| sutherland_hodgman::clip_polygon_plain(&s.window, p, work)),
