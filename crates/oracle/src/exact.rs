@@ -199,6 +199,32 @@ impl Exact {
         }
     }
 
+    /// ⌊log₂ |x|⌋; `None` of 0.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use ombra_oracle::Exact;
+    ///
+    /// let third = Exact::from(1).over(&Exact::from(3));
+    /// assert_eq!(third.and_then(|x| x.exponent()), Some(-2));
+    /// assert_eq!(Exact::power_of_two(-9999).exponent(), Some(-9999));
+    /// ```
+    #[must_use]
+    pub fn exponent(&self) -> Option<i64> {
+        if self.is_zero() {
+            return None;
+        }
+        let Some(n) = &self.denominator else {
+            return Some(self.leading_place());
+        };
+        // Between the two that the numbers of bits leave, |x| ≥ 2ᵉ decides.
+        let bits = i64::try_from(n.bits()).unwrap_or(i64::MAX);
+        let e = self.leading_place() - (bits - 1);
+        let reached = self.abs() >= Self::power_of_two(e);
+        Some(if reached { e } else { e - 1 })
+    }
+
     /// The multiple of 2⁻ᵇⁱᵗˢ next to x, towards 0.
     ///
     /// For long sums of quotients, where exact ones would need a common denominator: with a few hundred bits, what is
@@ -235,9 +261,9 @@ impl Exact {
         }
     }
 
-    /// The exponent of the leading bit, ⌊log₂ |x|⌋, of x ≠ 0 without a denominator.
+    /// The exponent of the leading bit, ⌊log₂ |m 2ᵉ|⌋, of m ≠ 0.
     fn leading_place(&self) -> i64 {
-        i64::try_from(self.integer.bits()).unwrap_or(i64::MAX) + self.exponent
+        i64::try_from(self.integer.bits()).unwrap_or(i64::MAX) - 1 + self.exponent
     }
 
     /// The fraction in its lowest terms.

@@ -84,6 +84,17 @@ proptest! {
         }
     }
 
+    #[test]
+    fn the_exponent_is_that_of_the_power_below((x, r) in course()) {
+        let Some(e) = x.exponent() else {
+            prop_assert_eq!(r, fraction(0.0));
+            return Ok(());
+        };
+        let power = |e: i64| rational(&Exact::power_of_two(e));
+        let size = rational(&x.abs());
+        prop_assert!(power(e) <= size && size < power(e + 1));
+    }
+
     /// Nearest: no neighbour is nearer, nor as near and even.
     #[test]
     fn the_nearest_double((x, r) in course()) {
@@ -190,4 +201,6 @@ fn degenerate() {
     sum -= Exact::from(5);
     assert_eq!(sum, -2);
     assert_eq!(Exact::from(-3).squared(), 9);
+    assert_eq!(Exact::ZERO.exponent(), None);
+    assert_eq!(exact(5e-324).exponent(), Some(-1074));
 }
