@@ -99,6 +99,9 @@ pub mod predicates;
 pub mod scaling;
 pub mod solids;
 pub mod spherical;
+#[cfg(test)]
+#[path = "../tests/to_300_bits/mod.rs"]
+mod to_300_bits;
 pub mod triangle;
 pub mod view;
 pub mod work;

@@ -123,41 +123,19 @@ pub fn orient_3d(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> Option<Ordering> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use num_bigint::BigInt;
-    use num_rational::BigRational;
+    use ombra_oracle::vector::{cross, dot, exact, minus, turn};
     use proptest::prelude::*;
 
-    fn exact(x: f64) -> BigRational {
-        BigRational::from_float(x).unwrap()
+    /// The determinant of differences, without rounding.
+    fn oracle_3d(points: [DVec3; 4]) -> Ordering {
+        let [a, b, c, d] = points.map(|p| exact(p).unwrap());
+        let [u, v, w] = [b, c, d].map(|p| minus(&p, &a));
+        dot(&cross(&u, &v), &w).sign()
     }
 
-    fn zero() -> BigRational {
-        BigRational::from_integer(BigInt::from(0))
-    }
-
-    /// The determinant of differences, in rationals.
-    fn oracle_3d([a, b, c, d]: [DVec3; 4]) -> Ordering {
-        let difference =
-            |p: DVec3| -> Vec<BigRational> { (0..3).map(|i| exact(p[i]) - exact(a[i])).collect() };
-        let (u, v, w) = (difference(b), difference(c), difference(d));
-        let cross: Vec<_> = (0..3)
-            .map(|i| {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                &u[j] * &v[k] - &u[k] * &v[j]
-            })
-            .collect();
-        cross
-            .iter()
-            .zip(&w)
-            .map(|(x, y)| x * y)
-            .sum::<BigRational>()
-            .cmp(&zero())
-    }
-
-    fn oracle_2d([a, b, c]: [DVec2; 3]) -> Ordering {
-        let (ux, uy) = (exact(b.x) - exact(a.x), exact(b.y) - exact(a.y));
-        let (vx, vy) = (exact(c.x) - exact(a.x), exact(c.y) - exact(a.y));
-        (ux * vy - uy * vx).cmp(&zero())
+    fn oracle_2d(points: [DVec2; 3]) -> Ordering {
+        let [a, b, c] = points.map(|p| exact(p).unwrap());
+        turn(&a, &b, &c).sign()
     }
 
     /// All exponents, the middle of the range, and small integers times a unit (so that zeros occur).
@@ -175,7 +153,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(2000))]
 
         #[test]
-        fn agrees_with_rationals_in_space(v in prop::collection::vec(number(), 12), k in 0i64..3) {
+        fn agrees_with_exact_numbers_in_space(v in prop::collection::vec(number(), 12), k in 0i64..3) {
             let p = |i: usize| DVec3::new(v[3 * i], v[3 * i + 1], v[3 * i + 2]);
             let mut points = [p(0), p(1), p(2), p(3)];
             prop_assert_eq!(orient_3d(points[0], points[1], points[2], points[3]), Some(oracle_3d(points)));
@@ -187,7 +165,7 @@ mod tests {
         }
 
         #[test]
-        fn agrees_with_rationals_in_the_plane(v in prop::collection::vec(number(), 6), t in 0.0..1.0f64) {
+        fn agrees_with_exact_numbers_in_the_plane(v in prop::collection::vec(number(), 6), t in 0.0..1.0f64) {
             let mut points = [DVec2::new(v[0], v[1]), DVec2::new(v[2], v[3]), DVec2::new(v[4], v[5])];
             prop_assert_eq!(orient_2d(points[0], points[1], points[2]), Some(oracle_2d(points)));
             points[2] = points[0] + (points[1] - points[0]) * t;

@@ -113,15 +113,11 @@ pub fn product_over<const N: usize>(factors: [f64; N], divisor: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use num_rational::BigRational;
+    use ombra_oracle::Exact;
     use proptest::prelude::*;
 
-    fn exact(x: f64) -> BigRational {
-        BigRational::from_float(x).unwrap()
-    }
-
-    fn power(e: i32) -> BigRational {
-        BigRational::from_integer(2.into()).pow(e)
+    fn exact(x: f64) -> Exact {
+        Exact::new(x).unwrap()
     }
 
     fn number() -> impl Strategy<Value = f64> {
@@ -162,11 +158,11 @@ mod tests {
             prop_assert!(largest == 0.0 || (1.0..2.0).contains(&largest));
             for (f, x) in f.into_iter().zip(x) {
                 // What is lost is beyond the last place of the smallest double.
-                prop_assert!((exact(f) * power(e) - exact(x)).reduced() == exact(0.0) || f.abs() < 1e-300);
+                prop_assert!(exact(f).scaled(e.into()) == x || f.abs() < 1e-300);
             }
             for x in x {
                 let (f, e) = split(x);
-                prop_assert_eq!(exact(f) * power(e), exact(x));
+                prop_assert_eq!(exact(f).scaled(e.into()), x);
             }
         }
 
@@ -175,14 +171,12 @@ mod tests {
         fn products_are_right_whatever_is_on_the_way(x in [number(), number(), number()], y in number()) {
             prop_assume!(y != 0.0);
             let found = product_over(x, y);
-            let right = exact(x[0]) * exact(x[1]) * exact(x[2]) / exact(y);
-            let right_size = if right < exact(0.0) { -right.clone() } else { right.clone() };
-            if right_size > exact(f64::MAX) {
+            let right = (exact(x[0]) * exact(x[1]) * exact(x[2])).over(&exact(y)).unwrap();
+            if right.abs() > f64::MAX {
                 prop_assert!(found.abs() == f64::INFINITY || found.abs() == f64::MAX);
             } else {
-                let bound = right_size * exact(2.0 * f64::EPSILON) + power(-1075);
-                let off = exact(found) - right;
-                prop_assert!(off <= bound && -off <= bound, "{:e}", found);
+                let bound = right.abs() * exact(2.0 * f64::EPSILON) + Exact::power_of_two(-1075);
+                prop_assert!((exact(found) - right).abs() <= bound, "{:e}", found);
             }
         }
     }

@@ -237,7 +237,9 @@ fn sin_of_sum(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::to_300_bits::{q as exact, sine_and_cosine};
     use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+    use ombra_oracle::Exact;
     use proptest::num::f64::ANY;
     use proptest::prelude::*;
 
@@ -315,39 +317,8 @@ mod tests {
         assert!((naive / expected - 1.0).abs() > 1e-9);
     }
 
-    /// π to 300 bits below the point, and sines of numbers of that kind: integers in units of 2⁻³⁰⁰.
-    mod exact {
-        use num_bigint::BigInt;
-        use num_rational::BigRational;
-
-        const BITS: u32 = 300;
-
-        fn one() -> BigInt {
-            BigInt::from(1) << BITS
-        }
-
-        pub fn of(x: f64) -> BigInt {
-            (BigRational::from_float(x).unwrap() * BigRational::from_integer(one()))
-                .round()
-                .to_integer()
-        }
-
-        pub fn cos(x: &BigInt) -> BigInt {
-            let (mut sum, mut term) = (one(), one());
-            for k in 1..80u32 {
-                term = -((((term * x) >> BITS) * x) >> BITS) / (2 * k * (2 * k - 1));
-                sum += &term;
-            }
-            sum
-        }
-
-        /// (a·b in those units) as a double, and how far `found` is from it, in ε.
-        pub fn error(found: f64, a: &BigInt, b: f64) -> f64 {
-            let right = BigRational::new(a.clone(), one()) * BigRational::from_float(b).unwrap();
-            let off = (BigRational::from_float(found).unwrap() - &right) / right;
-            let scaled = (off * BigRational::from_integer(BigInt::from(1) << 72u32)).to_integer();
-            scaled.to_string().parse::<f64>().unwrap().abs() / f64::from(1 << 20)
-        }
+    fn exact_cos(x: f64) -> Exact {
+        sine_and_cosine(&exact(x)).1
     }
 
     proptest! {
@@ -365,8 +336,8 @@ mod tests {
             let to = from + towards * libm::scalbn(width, down);
             let (low, high) = (from.min(to).max(0.0), from.max(to).min(PI));
             prop_assume!(low != high);
-            let difference = exact::cos(&exact::of(low)) - exact::cos(&exact::of(high));
-            let error = exact::error(solid_angle(low..high, 0.0..phi), &difference, phi);
+            let right = (exact_cos(low) - exact_cos(high)) * exact(phi);
+            let error = (exact(solid_angle(low..high, 0.0..phi)) - &right).ratio(&right).abs() / EPS;
             prop_assert!(error <= 4.0, "{low:e}..{high:e} is off by {error} ε");
             let back = solid_angle(high..low, 0.0..phi);
             prop_assert_eq!(back, -solid_angle(low..high, 0.0..phi));
@@ -376,7 +347,6 @@ mod tests {
     #[test]
     fn what_can_be_held_is_right() {
         // r² alone is beyond the doubles, or below them; sin θ = θ to the last bit for these θ.
-        let rational = |x: f64| num_rational::BigRational::from_float(x).unwrap();
         for (r, theta) in [
             (1e160, 1e-100),
             (-1e160, 1e-100),
@@ -384,10 +354,9 @@ mod tests {
             (1e200, 1e-320),
         ] {
             let area = area_element(r, theta);
-            let off =
-                rational(area) / (rational(r) * rational(r) * rational(theta)) - rational(1.0);
-            let bound = rational(2.0 * EPS);
-            assert!(off <= bound && -off <= bound, "{r:e} {theta:e}: {area:e}");
+            let right = exact(r).squared() * exact(theta);
+            let off = (exact(area) - &right).ratio(&right);
+            assert!(off.abs() <= 2.0 * EPS, "{r:e} {theta:e}: {area:e}");
         }
         assert_eq!(area_element(1e-160, FRAC_PI_2), 1e-320);
         assert_eq!(area_element(1e160, FRAC_PI_2), f64::INFINITY);

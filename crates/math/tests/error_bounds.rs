@@ -1,15 +1,17 @@
-//! Each bound that a page of this crate states in a line `- Error: …`, against rationals; with `--nocapture` the worst
+//! Each bound that a page of this crate states in a line `- Error: …`, against exact numbers; with `--nocapture` the worst
 //! that was found, as a share of the bound.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-mod rational;
+mod to_300_bits;
 
 use ombra_math::camera::{Camera, SightLine};
 use ombra_math::glam::{DMat4, DVec2, DVec3, DVec4};
 use ombra_math::plane::Plane;
 use ombra_math::view::{Viewport, frustum, look_at, orthographic};
 use ombra_math::{exact, homogeneous, solids, spherical, triangle};
-use rational::{Q, abs, angle, power, q, root, sine_and_cosine, to_f64, trim};
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{cross, dot, exact as point, minus};
+use to_300_bits::{angle, q, quotient, root, sine_and_cosine, trim};
 
 const EPS: f64 = f64::EPSILON;
 
@@ -50,15 +52,15 @@ impl Random {
 struct Worst(f64);
 
 impl Worst {
-    fn see(&mut self, found: f64, right: &Q, bound: &Q) {
-        let off = abs(q(found) - right);
+    fn see(&mut self, found: f64, right: &Exact, bound: &Exact) {
+        let off = (q(found) - right).abs();
         if off > *bound {
             panic_with(found, right, bound);
         }
-        if rational::is_zero(bound) {
+        if bound.is_zero() {
             return;
         }
-        self.0 = self.0.max(to_f64(&trim(off / bound)));
+        self.0 = self.0.max(off.ratio(bound));
     }
 
     fn report(&self, name: &str) {
@@ -68,25 +70,25 @@ impl Worst {
 }
 
 #[allow(clippy::panic, reason = "a test that cannot go on fails")]
-fn panic_with(found: f64, right: &Q, bound: &Q) {
+fn panic_with(found: f64, right: &Exact, bound: &Exact) {
     panic!(
         "{found:e} instead of {:e}, bound {:e}",
-        to_f64(right),
-        to_f64(bound)
+        right.nearest(),
+        bound.nearest()
     );
 }
 
-fn sum(terms: impl IntoIterator<Item = Q>) -> Q {
-    terms.into_iter().fold(q(0.0), |a, b| a + b)
+fn sum(terms: impl IntoIterator<Item = Exact>) -> Exact {
+    terms.into_iter().sum()
 }
 
-fn eps(k: f64) -> Q {
+fn eps(k: f64) -> Exact {
     q(k * EPS)
 }
 
 /// Half the smallest double.
-fn least() -> Q {
-    power(-1075)
+fn least() -> Exact {
+    Exact::power_of_two(-1075)
 }
 
 #[test]
@@ -102,7 +104,7 @@ fn points_of_cameras() {
         let p = line.at(t);
         for i in 0..3 {
             let step = q(line.direction[i]) * q(t);
-            let bound = eps(1.0) * (abs(q(line.origin[i])) + abs(step.clone()));
+            let bound = eps(1.0) * (q(line.origin[i]).abs() + step.abs());
             at.see(p[i], &(q(line.origin[i]) + step), &bound);
         }
         let m = DMat4::from_cols_array(&core::array::from_fn(|_| random.wide(6)));
@@ -115,24 +117,24 @@ fn points_of_cameras() {
         };
         let world = random.wide_vector(6);
         let terms = |i: usize| [0, 1, 2, 3].map(|j| q(m.row(i)[j]) * q(world.extend(1.0)[j]));
-        let absolute = |i: usize| sum(terms(i).map(abs));
+        let absolute = |i: usize| sum(terms(i).map(|x| x.abs()));
         let c = camera.to_clip(world);
         for i in 0..4 {
             clip.see(c[i], &sum(terms(i)), &(eps(3.0) * absolute(i)));
         }
         let w = sum(terms(3));
         if let Some(found) = camera.to_pixel(world) {
-            let k = (0..4).map(absolute).max().unwrap() / &w;
+            let k = quotient(&(0..4).map(absolute).max().unwrap(), &w);
             // Where w itself is mostly rounding, the first-order bound says nothing.
-            if to_f64(&k) > 1e9 {
+            if k > 1e9 {
                 continue;
             }
             for (i, (size, sign)) in [(640.0, 1.0), (480.0, -1.0), (1.0, 1.0)]
                 .into_iter()
                 .enumerate()
             {
-                let ndc = sum(terms(i)) / &w;
-                let bound = eps(3.0) * &k * (q(1.0) + abs(ndc.clone())) * q(size);
+                let ndc = quotient(&sum(terms(i)), &w);
+                let bound = eps(3.0) * &k * (q(1.0) + ndc.abs()) * q(size);
                 pixel.see(
                     found[i],
                     &((q(sign) * ndc + q(1.0)) * q(0.5) * q(size)),
@@ -147,9 +149,9 @@ fn points_of_cameras() {
 }
 
 /// The minors of three homogeneous planes, and what they would be without any minus sign.
-fn meet(planes: &[[Q; 4]; 3]) -> ([Q; 4], [Q; 4]) {
+fn meet(planes: &[[Exact; 4]; 3]) -> ([Exact; 4], [Exact; 4]) {
     let minor = |columns: [usize; 3], signless: bool| {
-        let mut total = q(0.0);
+        let mut total = Exact::ZERO;
         for (k, [i, j, l]) in [
             [0, 1, 2],
             [1, 2, 0],
@@ -163,7 +165,7 @@ fn meet(planes: &[[Q; 4]; 3]) -> ([Q; 4], [Q; 4]) {
         {
             let term = &planes[0][columns[i]] * &planes[1][columns[j]] * &planes[2][columns[l]];
             total += if signless {
-                abs(term)
+                term.abs()
             } else if k < 3 {
                 term
             } else {
@@ -213,23 +215,25 @@ fn eyes_and_sight_lines() {
         let (e, p) = meet(&[row(0), row(1), row(3)]);
         if eye.w == 1.0 {
             for i in 0..3 {
-                let right = &e[i] / &e[3];
-                let bound = eps(4.0) * (&p[i] + abs(right.clone()) * &p[3]) / abs(e[3].clone());
+                let right = quotient(&e[i], &e[3]);
+                let bound = eps(4.0) * (&p[i] + right.abs() * &p[3]);
+                let bound = quotient(&bound, &e[3].abs());
                 place.see(eye[i], &right, &bound);
             }
         } else {
-            let length = root(&sum([0, 1, 2].map(|i| &e[i] * &e[i])));
+            let length = root(&sum([0, 1, 2].map(|i| e[i].squared())));
             for i in 0..3 {
-                let right = abs(&e[i] / &length);
-                let bound = eps(4.0) * sum([0, 1, 2].map(|i| p[i].clone())) / &length;
+                let right = quotient(&e[i].abs(), &length);
+                let bound = eps(4.0) * p[..3].iter().sum::<Exact>();
+                let bound = quotient(&bound, &length);
                 towards.see(eye[i].abs(), &right, &bound);
             }
         }
         let at = DVec2::new(random.unit().abs() * 320.0, random.unit().abs() * 200.0);
         let line = camera.sight_line(at).unwrap();
         let ndc = [
-            q(2.0) * q(at.x) / q(320.0) - q(1.0),
-            q(1.0) - q(2.0) * q(at.y) / q(200.0),
+            quotient(&q(2.0 * at.x), &q(320.0)) - q(1.0),
+            q(1.0) - quotient(&q(2.0 * at.y), &q(200.0)),
         ];
         let [x, y, z, w] = [row(0), row(1), row(2), row(3)];
         let planes = |sign: f64| {
@@ -238,43 +242,44 @@ fn eyes_and_sight_lines() {
                     if sign < 0.0 {
                         &x[j] - &ndc[0] * &w[j]
                     } else {
-                        abs(x[j].clone()) + abs(&ndc[0] * &w[j])
+                        x[j].abs() + (&ndc[0] * &w[j]).abs()
                     }
                 }),
                 core::array::from_fn(|j| {
                     if sign < 0.0 {
                         &y[j] - &ndc[1] * &w[j]
                     } else {
-                        abs(y[j].clone()) + abs(&ndc[1] * &w[j])
+                        y[j].abs() + (&ndc[1] * &w[j]).abs()
                     }
                 }),
                 core::array::from_fn(|j| {
                     if sign < 0.0 {
                         &z[j] + &w[j]
                     } else {
-                        abs(z[j].clone()) + abs(w[j].clone())
+                        z[j].abs() + w[j].abs()
                     }
                 }),
             ]
         };
         let ((o, _), (_, p)) = (meet(&planes(-1.0)), meet(&planes(1.0)));
         for i in 0..3 {
-            let right = &o[i] / &o[3];
-            let bound = eps(8.0) * (&p[i] + abs(right.clone()) * &p[3]) / abs(o[3].clone());
-            origin.see(line.origin[i], &right, &bound);
+            let right = quotient(&o[i], &o[3]);
+            let bound = eps(8.0) * (&p[i] + right.abs() * &p[3]);
+            origin.see(line.origin[i], &right, &quotient(&bound, &o[3].abs()));
         }
         let ([column, line_row, _], [c, r, _]) = (planes(-1.0), planes(1.0));
-        let cross = |u: &[Q; 4], v: &[Q; 4], plus: bool| {
+        let cross = |u: &[Exact; 4], v: &[Exact; 4], plus: bool| {
             [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
                 let (a, b) = (&u[i] * &v[j], &u[j] * &v[i]);
                 if plus { a + b } else { a - b }
             })
         };
         let (d, size) = (cross(&column, &line_row, false), cross(&c, &r, true));
-        let length = root(&sum(d.iter().map(|x| x * x)));
+        let length = root(&dot(&d, &d));
         for (i, d) in d.iter().enumerate() {
-            let bound = eps(8.0) * sum(size.iter().cloned()) / &length;
-            along.see(line.direction[i].abs(), &abs(d / &length), &bound);
+            let bound = quotient(&(eps(8.0) * size.iter().sum::<Exact>()), &length);
+            let right = quotient(&d.abs(), &length);
+            along.see(line.direction[i].abs(), &right, &bound);
         }
     }
     place.report("camera::Camera::eye, a place");
@@ -302,30 +307,27 @@ fn planes() {
         if round % 2 == 0 {
             plane.d = -plane.normal.dot(p);
         }
-        let terms = [0, 1, 2].map(|i| q(plane.normal[i]) * q(p[i]));
-        let right = sum(terms) + q(plane.d);
-        let length = root(&sum(
-            [0, 1, 2].map(|i| q(plane.normal[i]) * q(plane.normal[i]))
-        ));
-        let size = abs(right.clone());
-        let unsigned = &size / &length;
-        let signed = &right / &length;
+        let n = point(plane.normal).unwrap();
+        let right = dot(&n, &point(p).unwrap()) + q(plane.d);
+        let length = root(&dot(&n, &n));
+        let size = right.abs();
+        let signed = quotient(&right, &length);
         distance.see(
             plane.signed_distance(p),
             &signed,
-            &(eps(4.0) * unsigned + least() * q(2.0)),
+            &(eps(4.0) * signed.abs() + least() * q(2.0)),
         );
         let found = homogeneous::incidence(plane.coefficients(), p.extend(1.0));
         value.see(found, &right, &(eps(1.0) * &size + least()));
         let (f, exponent) = exact::dot(plane.coefficients(), p.extend(1.0));
         scaled.see(
             f,
-            &(right * power(-exponent)),
-            &(eps(1.0) * size * power(-exponent)),
+            &right.scaled(-i64::from(exponent)),
+            &(eps(1.0) * size.scaled(-i64::from(exponent))),
         );
         let by = random.wide(e);
-        let bound = eps(3.0) * abs(q(by)) * &length
-            + eps(0.5) * abs(q(plane.d) - q(by) * &length)
+        let bound = eps(3.0) * q(by).abs() * &length
+            + eps(0.5) * (q(plane.d) - q(by) * &length).abs()
             + least();
         moved.see(plane.offset(by).d, &(q(plane.d) - q(by) * &length), &bound);
     }
@@ -353,46 +355,44 @@ fn triangles() {
             b = a + along;
             c = a + along * random.unit() + random.vector() * libm::exp10(-(round as f64) / 150.0);
         }
-        let cross = |a: DVec3, b: DVec3, c: DVec3| {
-            let [a, b, c] = [a, b, c].map(|p| p.to_array().map(q));
-            [(1, 2), (2, 0), (0, 1)]
-                .map(|(i, j)| (&b[i] - &a[i]) * (&c[j] - &a[j]) - (&b[j] - &a[j]) * (&c[i] - &a[i]))
+        let exact_normal = |a: DVec3, b: DVec3, c: DVec3| {
+            let [a, b, c] = [a, b, c].map(|p| point(p).unwrap());
+            cross(&minus(&b, &a), &minus(&c, &a))
         };
-        let n = cross(a, b, c);
+        let n = exact_normal(a, b, c);
         let found = triangle::normal(a, b, c);
         for i in 0..3 {
-            normal.see(found[i], &n[i], &(power(-41) * abs(n[i].clone()) + least()));
+            normal.see(found[i], &n[i], &(n[i].abs().scaled(-41) + least()));
         }
-        let squared = sum(n.iter().map(|x| x * x));
-        let length = root(&trim(squared.clone()));
+        let squared = dot(&n, &n);
+        let length = root(&squared);
         area.see(
             triangle::area(a, b, c),
-            &(&length / q(2.0)),
-            &(power(-40) * &length / q(2.0) + least()),
+            &length.scaled(-1),
+            &(length.scaled(-41) + least()),
         );
         if let Some(found) = triangle::barycentric(p, a, b, c) {
-            for (i, w) in [cross(p, b, c), cross(a, p, c), cross(a, b, p)]
-                .into_iter()
-                .enumerate()
-            {
-                let size = root(&trim(sum(w.iter().map(|x| x * x)))) / &length;
-                let right = sum(w.iter().zip(&n).map(|(x, y)| x * y)) / &squared;
-                share.see(found[i], &trim(right), &(power(-39) * size + least()));
+            for (i, w) in [[p, b, c], [a, p, c], [a, b, p]].into_iter().enumerate() {
+                let w = exact_normal(w[0], w[1], w[2]);
+                let size = quotient(&root(&dot(&w, &w)), &length);
+                let right = quotient(&dot(&w, &n), &squared);
+                share.see(found[i], &right, &(size.scaled(-39) + least()));
             }
         }
         let given = [0; 3].map(|_| random.wide_vector(e));
         let units = given.map(|v| {
-            let length = root(&trim(sum(v.to_array().map(|x| q(x) * q(x)))));
-            v.to_array().map(|x| trim(q(x) / &length))
+            let v = point(v).unwrap();
+            let length = root(&dot(&v, &v));
+            v.map(|x| trim(&quotient(&x, &length)))
         });
         let n = [0, 1, 2].map(|i| sum(units.iter().map(|u| u[i].clone())));
-        let length = root(&trim(sum(n.iter().map(|x| x * x))));
+        let length = root(&dot(&n, &n));
         let found = triangle::face_normal(given).unwrap();
         for i in 0..3 {
             face.see(
                 found[i],
-                &(&n[i] / &length),
-                &(eps(4.0) * (q(1.0) + q(3.0) / &length)),
+                &quotient(&n[i], &length),
+                &(eps(4.0) * (q(1.0) + quotient(&q(3.0), &length))),
             );
         }
     }
@@ -416,12 +416,12 @@ fn spherical_coordinates() {
         let p = random.wide_vector([0, 30, 300][round % 3]);
         let [x, y, z] = p.to_array().map(q);
         let s = spherical::Spherical::from_cartesian(p);
-        let across = root(&trim(&x * &x + &y * &y));
-        let right = root(&trim(&x * &x + &y * &y + &z * &z));
+        let across = root(&(x.squared() + y.squared()));
+        let right = root(&(x.squared() + y.squared() + z.squared()));
         r.see(s.r, &right, &(eps(2.0) * &right + least() * q(2.0)));
         let right = angle(&across, &z);
         theta.see(s.theta, &right, &(eps(2.0) * &right + least() * q(2.0)));
-        let right = angle(&abs(y), &x);
+        let right = angle(&y.abs(), &x);
         phi.see(s.phi.abs(), &right, &(eps(2.0) * &right + least() * q(2.0)));
 
         let s = spherical::Spherical {
@@ -436,7 +436,7 @@ fn spherical_coordinates() {
             back.see(
                 s.to_cartesian()[i],
                 &(right * q(s.r)),
-                &(eps(4.0) * abs(q(s.r))),
+                &(eps(4.0) * q(s.r).abs()),
             );
         }
         let found = spherical::solid_angle_element(s.theta);
@@ -479,13 +479,13 @@ fn pictures_and_solids() {
             pixel.see(found[i], &right, &(eps(2.0) * q(size)));
         }
     }
-    let third = root(&(q(1.0) / q(3.0)));
+    let third = root(&quotient(&q(1.0), &q(3.0)));
     for p in solids::tetrahedron().positions {
         for x in p.to_array() {
             corner.see(x.abs(), &third, &eps(1.0));
         }
     }
-    let length = |v: &[Q]| root(&trim(sum(v.iter().map(|x| x * x))));
+    let length = |v: &[Exact]| root(&v.iter().map(Exact::squared).sum());
     for p in solids::sphere(0.7, 40, 20).unwrap().positions {
         let far = length(&p.to_array().map(q));
         ball.see(0.7, &far, &(eps(4.0) * q(0.7)));
@@ -505,10 +505,10 @@ fn pictures_and_solids() {
 #[test]
 fn the_nearest_double() {
     let mut random = Random(7);
-    let nearest = |found: f64, right: &Q| {
-        let off = abs(q(found) - right);
+    let nearest = |found: f64, right: &Exact| {
+        let off = (q(found) - right).abs();
         for other in [found.next_up(), found.next_down()] {
-            assert!(off <= abs(q(other) - right), "{found:e}");
+            assert!(off <= (q(other) - right).abs(), "{found:e}");
         }
     };
     for _ in 0..1000 {
@@ -520,10 +520,10 @@ fn the_nearest_double() {
         );
         let found = homogeneous::project(v).unwrap();
         for i in 0..3 {
-            nearest(found[i], &(q(v[i]) / q(v.w)));
+            nearest(found[i], &quotient(&q(v[i]), &q(v.w)));
         }
         let (a, n) = (random.wide_vector(200), random.wide_vector(200));
         let found = Plane::through(a, n).unwrap();
-        nearest(found.d, &-sum([0, 1, 2].map(|i| q(a[i]) * q(n[i]))));
+        nearest(found.d, &-dot(&point(a).unwrap(), &point(n).unwrap()));
     }
 }

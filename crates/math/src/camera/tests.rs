@@ -1,6 +1,6 @@
 use super::*;
 use crate::view::{frustum, frustum_infinite, look_at, orthographic, perspective};
-use num_rational::BigRational;
+use ombra_oracle::Exact;
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 
@@ -207,22 +207,17 @@ fn boxes_of_all_sizes() {
     }
 }
 
-fn rational(x: f64) -> BigRational {
-    BigRational::from_float(x).unwrap()
-}
-
-fn magnitude(x: BigRational) -> BigRational {
-    let opposite = -x.clone();
-    x.max(opposite)
+fn exact(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
 /// x, y, z or w of the point on three planes by Leibniz' formula, and the sum of the magnitudes of its six products.
-fn exact_minor(planes: [DVec4; 3], left_out: usize) -> (BigRational, BigRational) {
+fn exact_minor(planes: [DVec4; 3], left_out: usize) -> (Exact, Exact) {
     let [a, b, c] = planes.map(|plane| {
         let kept = (0..4).filter(|&i| i != left_out);
-        kept.map(|i| rational(plane[i])).collect::<Vec<_>>()
+        kept.map(|i| exact(plane[i])).collect::<Vec<_>>()
     });
-    let mut sums = (rational(0.0), rational(0.0));
+    let mut sums = (Exact::ZERO, Exact::ZERO);
     for [i, j, k] in [
         [0, 1, 2],
         [1, 2, 0],
@@ -232,7 +227,7 @@ fn exact_minor(planes: [DVec4; 3], left_out: usize) -> (BigRational, BigRational
         [2, 1, 0],
     ] {
         let product = &a[i] * &b[j] * &c[k];
-        sums.1 += magnitude(product.clone());
+        sums.1 += product.abs();
         let is_even = (i + 1) % 3 == j;
         if is_even == left_out.is_multiple_of(2) {
             sums.0 += product;
@@ -295,10 +290,10 @@ proptest! {
         let (bottom, bottom_size) = exact_minor([x, y, w], 3);
         for i in 0..3 {
             let (top, top_size) = exact_minor([x, y, w], i);
-            let coordinate = rational(found[i]);
+            let coordinate = exact(found[i]);
             // Each minor is off by some four roundings of its products, and the quotient by one more.
-            let bound = (top_size + magnitude(coordinate.clone()) * &bottom_size) * rational(4.0 * f64::EPSILON);
-            let off = magnitude(coordinate * &bottom - top);
+            let bound = (top_size + coordinate.abs() * &bottom_size) * exact(4.0 * f64::EPSILON);
+            let off = (coordinate * &bottom - top).abs();
             prop_assert!(off <= bound, "{i}: {found}");
         }
     }

@@ -1,15 +1,18 @@
 use super::*;
-use num_bigint::BigInt;
-use num_rational::BigRational;
+use ombra_oracle::vector::{cross, dot, minus};
+use ombra_oracle::{Exact, vector};
 use proptest::prelude::*;
 
-fn exact(x: f64) -> BigRational {
-    BigRational::from_float(x).unwrap()
+fn exact(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
-fn value(plane: &Plane, p: DVec3) -> BigRational {
-    let n = plane.normal;
-    exact(n.x) * exact(p.x) + exact(n.y) * exact(p.y) + exact(n.z) * exact(p.z) + exact(plane.d)
+fn point(p: DVec3) -> [Exact; 3] {
+    vector::exact(p).unwrap()
+}
+
+fn value(plane: &Plane, p: DVec3) -> Exact {
+    dot(&point(plane.normal), &point(p)) + exact(plane.d)
 }
 
 fn number() -> impl Strategy<Value = f64> {
@@ -45,61 +48,49 @@ proptest! {
     #[test]
     fn sides_are_exact((plane, p) in plane_and_point()) {
         prop_assume!(p.is_finite());
-        let zero = BigRational::from_integer(BigInt::from(0));
-        prop_assert_eq!(plane.side(p), Some(value(&plane, p).cmp(&zero)));
+        prop_assert_eq!(plane.side(p), Some(value(&plane, p).sign()));
     }
 
     #[test]
     fn distances_are_within_4_epsilon((plane, p) in plane_and_point()) {
         prop_assume!(p.is_finite() && plane.normal != DVec3::ZERO);
         let distance = plane.signed_distance(p);
-        let below_all_doubles = |v: &BigRational, nn: &BigRational| {
-            let smallest = exact(f64::from_bits(1));
-            v * v < &smallest * &smallest * nn
+        let below_all_doubles = |v: &Exact, nn: &Exact| {
+            v.squared() < nn.scaled(2 * -1074)
         };
         // (n·p + d)² = distance² n·n without a root.
-        let n = plane.normal;
-        let nn = exact(n.x) * exact(n.x) + exact(n.y) * exact(n.y) + exact(n.z) * exact(n.z);
+        let n = point(plane.normal);
+        let nn = dot(&n, &n);
         let v = value(&plane, p);
         if !distance.is_normal() {
             prop_assert!(distance != 0.0 || below_all_doubles(&v, &nn));
             return Ok(());
         }
-        let difference = exact(distance) * exact(distance) * &nn - &v * &v;
-        let zero = BigRational::from_integer(BigInt::from(0));
-        let difference = if difference < zero { -difference } else { difference };
-        prop_assert!(difference <= exact(8.0 * f64::EPSILON) * &v * &v, "{distance:e}");
-        prop_assert_eq!(distance > 0.0, v > zero);
+        let difference = (exact(distance).squared() * &nn - v.squared()).abs();
+        prop_assert!(difference <= exact(8.0 * f64::EPSILON) * v.squared(), "{distance:e}");
+        prop_assert_eq!(distance > 0.0, v > 0);
     }
 
     #[test]
     fn a_plane_holds_its_triangle(a in vector(), b in vector(), c in vector()) {
         // The exact normal, without the cancelled form the function uses.
-        let e = |p: DVec3| p.to_array().map(exact);
-        let (a_, b_, c_) = (e(a), e(b), e(c));
-        let ab: Vec<_> = (0..3).map(|i| &b_[i] - &a_[i]).collect();
-        let ac: Vec<_> = (0..3).map(|i| &c_[i] - &a_[i]).collect();
-        let cross: Vec<_> = (0..3).map(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            &ab[j] * &ac[k] - &ab[k] * &ac[j]
-        }).collect();
-        let zero = BigRational::from_integer(BigInt::from(0));
+        let [a_, b_, c_] = [a, b, c].map(point);
+        let cross = cross(&minus(&b_, &a_), &minus(&c_, &a_));
         match Plane::of_triangle(a, b, c) {
-            None => prop_assert!(cross.iter().all(|x| *x == zero)),
+            None => prop_assert!(cross.iter().all(|x| *x == 0)),
             Some(plane) => {
                 // Parallel and of one direction, to the rounding of each coordinate; scaling keeps ratios.
                 let n = plane.normal.to_array();
                 let largest = (0..3).max_by(|&i, &j| n[i].abs().total_cmp(&n[j].abs())).unwrap();
-                let scale = exact(n[largest]) / &cross[largest];
-                prop_assert!(scale > zero);
+                let scale = exact(n[largest]).over(&cross[largest]).unwrap();
+                prop_assert!(scale > 0);
                 for i in 0..3 {
                     let expected = &cross[i] * &scale;
                     let error = exact(n[i]) - &expected;
                     let bound = &expected * exact(2.0 * f64::EPSILON);
                     // A coordinate 10³⁰⁰ times smaller than the largest may be subnormal.
-                    let floor = exact(f64::from_bits(1));
-                    let square = &bound * &bound + &floor * &floor;
-                    prop_assert!(&error * &error <= square, "{i}: {:e}", n[i]);
+                    let square = bound.squared() + Exact::power_of_two(2 * -1074);
+                    prop_assert!(error.squared() <= square, "{i}: {:e}", n[i]);
                 }
             }
         }

@@ -1,26 +1,21 @@
 use super::*;
-use num_bigint::BigInt;
-use num_rational::BigRational;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{cross, dot, exact, minus};
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 
-fn rational(x: f64) -> BigRational {
-    BigRational::from_float(x).unwrap()
+fn number(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
-fn exact_cross(a: DVec3, b: DVec3, c: DVec3) -> [BigRational; 3] {
-    let [a, b, c] = [a, b, c].map(|p| p.to_array().map(rational));
-    CYCLE.map(|[i, j]| (&b[i] - &a[i]) * (&c[j] - &a[j]) - (&b[j] - &a[j]) * (&c[i] - &a[i]))
+fn exact_cross(a: DVec3, b: DVec3, c: DVec3) -> [Exact; 3] {
+    let [a, b, c] = [a, b, c].map(|p| exact(p).unwrap());
+    cross(&minus(&b, &a), &minus(&c, &a))
 }
 
 /// |x − exact| ≤ bound.
-fn within(x: f64, exact: &BigRational, bound: &BigRational) -> bool {
-    let error = rational(x) - exact;
-    error <= *bound && -error <= *bound
-}
-
-fn power(e: i32) -> BigRational {
-    BigRational::from_integer(BigInt::from(2)).pow(e)
+fn within(x: f64, exact: &Exact, bound: &Exact) -> bool {
+    (number(x) - exact).abs() <= *bound
 }
 
 /// Coordinates whose products reach from below the smallest subnormal almost to the largest double.
@@ -169,44 +164,42 @@ proptest! {
     fn normal_is_near_the_exact_one([a, b, c] in triangle()) {
         let exact = exact_cross(a, b, c);
         for (x, exact) in normal(a, b, c).to_array().into_iter().zip(&exact) {
-            let size = if *exact < rational(0.0) { -exact } else { exact.clone() };
             // Half a subnormal step more, where the result is one.
-            prop_assert!(within(x, exact, &(size * power(-41) + power(-1075))), "{x}");
+            prop_assert!(within(x, exact, &(exact.abs().scaled(-41) + Exact::power_of_two(-1075))), "{x}");
         }
     }
 
     #[test]
     fn area_is_near_the_exact_one([a, b, c] in triangle()) {
-        let four_squared: BigRational = exact_cross(a, b, c).iter().map(|x| x * x).sum();
-        let squared = rational(area(a, b, c)).pow(2) * BigInt::from(4);
+        let n = exact_cross(a, b, c);
+        let four_squared = dot(&n, &n);
+        let squared = number(area(a, b, c)).squared().scaled(2);
         // Within 2⁻⁴⁰ of itself, squared within 2⁻³⁹ and a little.
         // And half a subnormal step of the area, where that is one.
-        let step = rational(area(a, b, c)) * power(-1071) + power(-2140);
-        let bound = &four_squared * power(-38) + step;
-        prop_assert!(squared <= &four_squared + &bound && squared >= &four_squared - &bound);
+        let step = number(area(a, b, c)).scaled(-1071) + Exact::power_of_two(-2140);
+        let bound = four_squared.scaled(-38) + step;
+        prop_assert!((squared - four_squared).abs() <= bound);
     }
 
     #[test]
     fn barycentric_gives_the_projection([a, b, c] in triangle(), p in near(1.0)) {
         let n = exact_cross(a, b, c);
-        let n_n: BigRational = n.iter().map(|x| x * x).sum();
+        let n_n = dot(&n, &n);
         let Some(found) = barycentric(p, a, b, c) else {
             // Only a degenerate triangle or a coordinate that no double holds has none.
             let huge = [(p, b, c), (a, p, c), (a, b, p)].iter().any(|&(a, b, c)| {
                 let w = exact_cross(a, b, c);
-                let dot: BigRational = w.iter().zip(&n).map(|(x, y)| x * y).sum();
-                dot.pow(2) >= n_n.pow(2) * power(2046)
+                dot(&w, &n).abs() >= n_n.scaled(1023)
             });
-            prop_assert!(n_n == rational(0.0) || huge);
+            prop_assert!(n_n == 0 || huge);
             return Ok(());
         };
         for (x, (a, b, c)) in found.to_array().into_iter().zip([(p, b, c), (a, p, c), (a, b, p)]) {
             let w = exact_cross(a, b, c);
-            let dot: BigRational = w.iter().zip(&n).map(|(x, y)| x * y).sum();
-            let w_w: BigRational = w.iter().map(|x| x * x).sum();
             // (x − dot/n·n)² ≤ (2⁻³⁹ |w|/|n|)², the subnormal step aside.
-            let error = rational(x) - dot / &n_n;
-            prop_assert!(error.pow(2) <= w_w / &n_n * power(-78) + power(-2146));
+            let error = number(x) - dot(&w, &n).over(&n_n).unwrap();
+            let share = dot(&w, &w).over(&n_n).unwrap();
+            prop_assert!(error.squared() <= share.scaled(-78) + Exact::power_of_two(-2146));
         }
     }
 

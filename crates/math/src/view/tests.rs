@@ -1,7 +1,7 @@
 use super::*;
 use core::f64::consts::FRAC_PI_2;
-use num_bigint::BigInt;
-use num_rational::BigRational;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{cross, dot, exact, minus};
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 
@@ -296,18 +296,6 @@ fn degenerate() {
     assert!(look_at(DVec3::splat(0.1), DVec3::splat(0.7), beside).is_ok());
 }
 
-fn exact(v: DVec3) -> [BigRational; 3] {
-    v.to_array().map(|x| BigRational::from_float(x).unwrap())
-}
-
-fn dot(u: &[BigRational; 3], v: &[BigRational; 3]) -> BigRational {
-    u.iter().zip(v).map(|(x, y)| x * y).sum()
-}
-
-fn cross(u: &[BigRational; 3], v: &[BigRational; 3]) -> [BigRational; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &u[i] * &v[j] - &u[j] * &v[i])
-}
-
 fn point() -> impl Strategy<Value = DVec3> {
     [
         (-1.0..1.0f64, -100i32..100),
@@ -321,38 +309,22 @@ fn cube() -> impl Strategy<Value = DVec3> {
     [-1.0..1.0, -1.0..1.0, -1.0..1.0].prop_map(DVec3::from_array)
 }
 
-/// Each entry from rationals, its formula as the slide has it.
+/// Each entry without rounding, its formula as the slide has it.
 mod entries {
     use super::*;
-
-    fn q(x: f64) -> BigRational {
-        BigRational::from_float(x).unwrap()
-    }
-
-    fn power(e: i32) -> BigRational {
-        BigRational::from_integer(BigInt::from(2)).pow(e)
-    }
+    use crate::to_300_bits::{q, quotient, sine_and_cosine};
 
     /// The error of `found` in ε of the exact entry, what a subnormal's last place explains taken off; `None` where
     /// the entry is beyond the largest double.
-    fn error(found: f64, right: &BigRational) -> Option<f64> {
-        let size = if *right < q(0.0) {
-            -right.clone()
-        } else {
-            right.clone()
-        };
-        if size > q(f64::MAX) {
+    fn error(found: f64, right: &Exact) -> Option<f64> {
+        if right.abs() > f64::MAX {
             return None;
         }
-        let off = q(found) - right;
-        let off = if off < q(0.0) { -off } else { off };
-        let off = off - power(-1075);
-        if off <= q(0.0) {
+        let off = (q(found) - right).abs() - Exact::power_of_two(-1075);
+        if off <= 0 {
             return Some(0.0);
         }
-        // In units of 2⁻²⁰ ε.
-        let ratio = off * power(72) / size;
-        Some(ratio.to_integer().to_string().parse::<f64>().unwrap() / f64::from(1 << 20))
+        Some(off.ratio(&right.abs()) / EPS)
     }
 
     fn double() -> impl Strategy<Value = f64> {
@@ -378,7 +350,7 @@ mod entries {
     /// A matrix where all entries can be held, and within `bound` ε of each.
     fn check(
         found: Result<DMat4, ViewError>,
-        right: &[BigRational; 16],
+        right: &[Exact; 16],
         bound: f64,
     ) -> Result<(), TestCaseError> {
         let m = found.unwrap_or(DMat4::ZERO).to_cols_array();
@@ -406,14 +378,14 @@ mod entries {
             prop_assume!([l, r, b, t, n, f].iter().all(|x| x.is_finite()) && l != r && b != t && n != f && n > 0.0 && f > 0.0);
             let [o, two] = [q(0.0), q(2.0)];
             let [l_, r_, b_, t_, n_, f_] = [l, r, b, t, n, f].map(q);
-            let x = &two * &n_ / (&r_ - &l_);
-            let y = &two * &n_ / (&t_ - &b_);
-            let sx = (&r_ + &l_) / (&r_ - &l_);
-            let sy = (&t_ + &b_) / (&t_ - &b_);
-            let z = -(&f_ + &n_) / (&f_ - &n_);
-            let w = -&two * &f_ * &n_ / (&f_ - &n_);
+            let x = quotient(&(&two * &n_), &(&r_ - &l_));
+            let y = quotient(&(&two * &n_), &(&t_ - &b_));
+            let sx = quotient(&(&r_ + &l_), &(&r_ - &l_));
+            let sy = quotient(&(&t_ + &b_), &(&t_ - &b_));
+            let z = -quotient(&(&f_ + &n_), &(&f_ - &n_));
+            let w = -quotient(&(&two * &f_ * &n_), &(&f_ - &n_));
             let rest = [x, o.clone(), o.clone(), o.clone(), o.clone(), y, o.clone(), o.clone(), sx, sy];
-            let columns = |z: BigRational, w: BigRational| -> [BigRational; 16] {
+            let columns = |z: Exact, w: Exact| -> [Exact; 16] {
                 let last = [z, q(-1.0), o.clone(), o.clone(), w, o.clone()];
                 rest.iter().cloned().chain(last).collect::<Vec<_>>().try_into().unwrap()
             };
@@ -425,8 +397,8 @@ mod entries {
         fn of_the_box([l, r] in sides(), [b, t] in sides(), [n, f] in sides()) {
             prop_assume!([l, r, b, t, n, f].iter().all(|x| x.is_finite()) && l != r && b != t && n != f);
             let o = || q(0.0);
-            let scale = |low: f64, high: f64| q(2.0) / (q(high) - q(low));
-            let shift = |low: f64, high: f64| -(q(high) + q(low)) / (q(high) - q(low));
+            let scale = |low: f64, high: f64| quotient(&q(2.0), &(q(high) - q(low)));
+            let shift = |low: f64, high: f64| -quotient(&(q(high) + q(low)), &(q(high) - q(low)));
             let right = [
                 scale(l, r), o(), o(), o(), o(), scale(b, t), o(), o(), o(), o(), -scale(n, f), o(),
                 shift(l, r), shift(b, t), shift(n, f), q(1.0),
@@ -434,31 +406,19 @@ mod entries {
             check(orthographic(l, r, b, t, n, f), &right, 2.0)?;
         }
 
-        /// 1/tan is taken from a cosine and a sine of rationals: Taylor's series of the half angle.
+        /// 1/tan is taken from a cosine and a sine without rounding: Taylor's series of the half angle.
         #[test]
         fn of_the_symmetric_frustum(fov in 0.001..3.13f64, aspect in double(), [n, f] in depths()) {
             let aspect = aspect.abs();
             prop_assume!(aspect > 0.0 && n.is_finite() && f.is_finite() && n != f && n > 0.0 && f > 0.0);
-            // Cut to 160 bits after each step, or the fractions grow without end.
-            let cut = |x: BigRational| BigRational::new((x * power(160)).to_integer(), BigInt::from(1) << 160);
-            let half = q(fov) / q(2.0);
-            let (mut sin, mut cos, mut term) = (q(0.0), q(0.0), q(1.0));
-            for k in 0..50 {
-                match k % 4 {
-                    0 => cos += &term,
-                    1 => sin += &term,
-                    2 => cos -= &term,
-                    _ => sin -= &term,
-                }
-                term = cut(term * &half / q(f64::from(k + 1)));
-            }
-            let y = cos / sin;
+            let (sin, cos) = sine_and_cosine(&q(fov).scaled(-1));
+            let y = quotient(&cos, &sin);
             let o = || q(0.0);
             let [n_, f_] = [n, f].map(q);
-            let z = -(&f_ + &n_) / (&f_ - &n_);
-            let w = -q(2.0) * &f_ * &n_ / (&f_ - &n_);
+            let z = -quotient(&(&f_ + &n_), &(&f_ - &n_));
+            let w = -quotient(&(q(2.0) * &f_ * &n_), &(&f_ - &n_));
             let right = [
-                &y / q(aspect), o(), o(), o(), o(), y, o(), o(), o(), o(), z, q(-1.0), o(), o(), w, o(),
+                quotient(&y, &q(aspect)), o(), o(), o(), o(), y, o(), o(), o(), o(), z, q(-1.0), o(), o(), w, o(),
             ];
             check(perspective(fov, aspect, n, f), &right, 3.0)?;
         }
@@ -494,24 +454,22 @@ proptest! {
         let Ok(m) = look_at(eye, target, up) else {
             return Err(TestCaseError::reject("parallel"));
         };
-        let (e, t) = (exact(eye), exact(target));
-        let f = [0, 1, 2].map(|i| &t[i] - &e[i]);
-        let s = cross(&f, &exact(up));
+        let [e, t, up] = [eye, target, up].map(|v| exact(v).unwrap());
+        let f = minus(&t, &e);
+        let s = cross(&f, &up);
         let u = cross(&s, &f);
         let back = f.clone().map(|x| -x);
-        let eight_eps = BigRational::new(BigInt::from(8), BigInt::from(1u64 << 52));
         for (i, axis) in [s, u, back].iter().enumerate() {
-            let row = exact(m.row(i).truncate());
-            // |row × axis| = |row| |axis| sin of the angle between them.
+            let row = exact(m.row(i).truncate()).unwrap();
+            // |row × axis| = |row| |axis| sin of the angle between them: 8 ε.
             let off = cross(&row, axis);
-            prop_assert!(dot(&off, &off) <= eight_eps.clone().pow(2) * dot(axis, axis), "axis {i}");
-            prop_assert!(dot(&row, axis) > BigRational::from_integer(BigInt::from(0)));
+            prop_assert!(dot(&off, &off) <= dot(axis, axis).scaled(2 * (3 - 52)), "axis {i}");
+            prop_assert!(dot(&row, axis) > 0);
             prop_assert!((m.row(i).truncate().length() - 1.0).abs() <= 8.0 * EPS);
             // The last column: −row·eye, to the nearest double.
-            let column = BigRational::from_float(m.w_axis[i]).unwrap();
-            let error = &column + dot(&row, &e);
-            let step = BigRational::from_float(m.w_axis[i].abs() * EPS / 2.0 + 5e-324).unwrap();
-            prop_assert!(error <= step && -error <= step);
+            let column = Exact::new(m.w_axis[i]).unwrap();
+            let error = column + dot(&row, &e);
+            prop_assert!(error.abs() <= m.w_axis[i].abs() * EPS / 2.0 + 5e-324);
         }
     }
 

@@ -1,6 +1,7 @@
 use super::*;
 use crate::plane::Plane;
 use crate::solids;
+use ombra_oracle::Exact;
 use proptest::prelude::*;
 
 const EPS: f64 = f64::EPSILON;
@@ -62,31 +63,21 @@ fn weights_are_what_they_say() {
 
 const ALL: [Weighting; 3] = [Weighting::Plain, Weighting::Area, Weighting::Angle];
 
-#[path = "../../../tests/rational/mod.rs"]
-mod rational;
-
 /// Normals with 300 bits, from the exact vector products.
 mod oracle {
-    use super::rational::{Q, angle, is_zero, power, q, root, to_f64, trim};
     use super::*;
+    use crate::to_300_bits::{angle, q, quotient, root, trim};
+    use ombra_oracle::vector::{cross, dot, exact, minus};
 
-    fn dot(u: &[Q; 3], v: &[Q; 3]) -> Q {
-        u.iter().zip(v).map(|(x, y)| x * y).sum()
-    }
-
-    /// Σ w n at the vertex 0 and Σ w, in rationals.
-    pub fn sums(mesh: &Mesh, weighting: Weighting) -> ([Q; 3], Q) {
-        let (mut sum, mut size) = ([q(0.0), q(0.0), q(0.0)], q(0.0));
+    /// Σ w n at the vertex 0 and Σ w.
+    pub fn sums(mesh: &Mesh, weighting: Weighting) -> ([Exact; 3], Exact) {
+        let (mut sum, mut size) = ([(); 3].map(|()| Exact::ZERO), Exact::ZERO);
         // A power of two changes no direction, and numbers of ordinary size are sooner worked with.
         let largest = mesh
             .positions
             .iter()
             .fold(0.0f64, |m, p| m.max(p.abs().max_element()));
-        let unit = power(if largest == 0.0 {
-            0
-        } else {
-            -libm::ilogb(largest)
-        });
+        let unit = q(largest).exponent().unwrap_or(0);
         for (i, triangle) in mesh.triangles.iter().enumerate() {
             let Some(k) = triangle.iter().position(|&v| v == 0) else {
                 continue;
@@ -94,21 +85,21 @@ mod oracle {
             let corners = mesh
                 .triangle(i)
                 .unwrap()
-                .map(|p| p.to_array().map(|x| q(x) * &unit));
+                .map(|p| exact(p).unwrap().map(|x| x.scaled(-unit)));
             let [a, b, c] = [0, 1, 2].map(|j| &corners[(k + j) % 3]);
-            let [u, v] = [b, c].map(|p| [0, 1, 2].map(|i| &p[i] - &a[i]));
-            let n = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &u[i] * &v[j] - &u[j] * &v[i]);
+            let [u, v] = [b, c].map(|p| minus(p, a));
+            let n = cross(&u, &v);
             let length = root(&dot(&n, &n));
-            if is_zero(&length) {
+            if length.is_zero() {
                 continue;
             }
             let weight = match weighting {
-                Weighting::Plain => q(1.0),
+                Weighting::Plain => Exact::from(1),
                 Weighting::Area => length.clone(),
                 Weighting::Angle => angle(&length, &dot(&u, &v)),
             };
             for (sum, n) in sum.iter_mut().zip(&n) {
-                *sum += trim(n * &weight / &length);
+                *sum += trim(&quotient(&(n * &weight), &length));
             }
             size += weight;
         }
@@ -116,17 +107,17 @@ mod oracle {
     }
 
     /// How far `found` is from the unit vector of `sum`, and Σ w / |Σ w n|.
-    pub fn error(found: DVec3, (sum, size): &([Q; 3], Q)) -> (f64, f64) {
+    pub fn error(found: DVec3, (sum, size): &([Exact; 3], Exact)) -> (f64, f64) {
         let length = root(&dot(sum, sum));
-        let off = [0, 1, 2].map(|i| to_f64(&(q(found[i]) - &sum[i] / &length)));
-        (DVec3::from(off).length(), to_f64(&(size / length)))
+        let off = [0, 1, 2].map(|i| (q(found[i]) - quotient(&sum[i], &length)).nearest());
+        (DVec3::from(off).length(), size.ratio(&length))
     }
 }
 
 fn check(mesh: &Mesh, weighting: Weighting) -> f64 {
     let sums = oracle::sums(mesh, weighting);
     let found = mesh.vertex_normals(weighting)[0];
-    if sums.0.iter().all(|x| *x == rational::q(0.0)) {
+    if sums.0.iter().all(Exact::is_zero) {
         assert_eq!(found, DVec3::ZERO);
         return 0.0;
     }
