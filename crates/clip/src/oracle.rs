@@ -1,77 +1,41 @@
-//! What the tests compare with: rationals, and shapes next to degenerate ones.
+//! What the tests compare with: exact numbers, and shapes next to degenerate ones.
 
 use core::cmp::Ordering;
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use ombra_math::glam::DVec2;
 use ombra_math::predicates::orient_2d;
+pub(crate) use ombra_oracle::Exact;
+use ombra_oracle::interval::between;
+pub(crate) use ombra_oracle::interval::not_negative;
+use ombra_oracle::vector::{doubled_area, exact, minus};
 use proptest::prelude::*;
 
 use crate::{Segment, Window};
 
-pub(crate) type R = BigRational;
-
-pub(crate) fn r(x: f64) -> R {
-    R::from_float(x).unwrap()
-}
-
-pub(crate) fn int(x: i64) -> R {
-    R::from_integer(BigInt::from(x))
+pub(crate) fn r(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
 /// Whether `x` is the double nearest to `exact`; of two as near, the one with the even last bit.
-pub(crate) fn is_nearest(x: f64, exact: &R) -> bool {
-    let distance = |y: f64| absolute(r(y) - exact);
-    let even = x.to_bits().is_multiple_of(2);
-    let neighbours = [x.next_up(), x.next_down()];
-    x.is_finite()
-        && neighbours
-            .into_iter()
-            .filter(|y| y.is_finite())
-            .all(|y| distance(x) < distance(y) || (distance(x) == distance(y) && even))
+pub(crate) fn is_nearest(x: f64, exact: &Exact) -> bool {
+    x.is_finite() && x == exact.nearest()
 }
 
-pub(crate) type Point = [R; 2];
+pub(crate) type Point = [Exact; 2];
 
-pub(crate) fn exact(p: DVec2) -> Point {
-    [r(p.x), r(p.y)]
-}
-
-/// The clipped segment in rationals: the interval of t that fulfils all four inequalities.
+/// The clipped segment: the interval of t that fulfils all four inequalities.
 pub(crate) fn clip(window: &Window, s: Segment) -> Option<[Point; 2]> {
-    let (a, b) = (exact(s.a), exact(s.b));
-    let (min, max) = (exact(window.min), exact(window.max));
-    let (mut t0, mut t1) = (int(0), int(1));
-    for i in 0..2 {
-        let d = &b[i] - &a[i];
-        if d == int(0) {
-            if a[i] < min[i] || a[i] > max[i] {
-                return None;
-            }
-            continue;
-        }
-        let (t, u) = ((&min[i] - &a[i]) / &d, (&max[i] - &a[i]) / &d);
-        let (t, u) = if t < u { (t, u) } else { (u, t) };
-        t0 = t0.max(t);
-        t1 = t1.min(u);
-    }
-    let at = |t: &R| [0, 1].map(|i| &a[i] + t * (&b[i] - &a[i]));
-    (t0 <= t1).then(|| [at(&t0), at(&t1)])
+    let [a, b, min, max] = [s.a, s.b, window.min, window.max].map(|p| exact(p).unwrap());
+    let inside = |p| minus(p, &min).into_iter().chain(minus(&max, p));
+    let sides: Vec<_> = inside(&a).zip(inside(&b)).map(Into::into).collect();
+    let at = |t: Exact| [0, 1].map(|i| between(&t, &a[i], &b[i]));
+    Some(not_negative(&sides)?.map(at))
 }
 
 /// Twice the signed area.
-pub(crate) fn area(polygon: &[DVec2]) -> R {
-    let mut sum = int(0);
-    for (i, &a) in polygon.iter().enumerate() {
-        let (a, b) = (exact(a), exact(polygon[(i + 1) % polygon.len()]));
-        sum += &a[0] * &b[1] - &a[1] * &b[0];
-    }
-    sum
-}
-
-pub(crate) fn absolute(x: R) -> R {
-    if x < int(0) { -x } else { x }
+pub(crate) fn area(polygon: &[DVec2]) -> Exact {
+    let polygon: Vec<Point> = polygon.iter().map(|&p| exact(p).unwrap()).collect();
+    doubled_area(&polygon)
 }
 
 /// The winding number of the polygon around p; `None` on its boundary.
@@ -201,9 +165,9 @@ pub(crate) fn samples() -> impl Iterator<Item = DVec2> {
     (0..24).flat_map(move |i| (0..20).map(move |j| DVec2::new(along(i), along(j) + 1e-4)))
 }
 
-/// Sutherland–Hodgman in rationals: inside where sign (v − limit) ≥ 0, side after side, the first vertex last.
+/// Sutherland–Hodgman without rounding: inside where sign (v − limit) ≥ 0, side after side, the first vertex last.
 pub(crate) fn sutherland_hodgman(window: &Window, polygon: &[DVec2]) -> Vec<Point> {
-    let mut points: Vec<Point> = polygon.iter().map(|&p| exact(p)).collect();
+    let mut points: Vec<Point> = polygon.iter().map(|&p| exact(p).unwrap()).collect();
     let sides = [
         (1, -1, r(window.max.y)),
         (1, 1, r(window.min.y)),
@@ -211,17 +175,17 @@ pub(crate) fn sutherland_hodgman(window: &Window, polygon: &[DVec2]) -> Vec<Poin
         (0, 1, r(window.min.x)),
     ];
     for (axis, sign, limit) in sides {
-        let side = |p: &Point| (&p[axis] - &limit) * int(sign);
+        let side = |p: &Point| (&p[axis] - &limit) * Exact::from(sign);
         let mut kept = Vec::new();
         for (i, p) in points.iter().enumerate() {
             let next = &points[(i + 1) % points.len()];
             let (s, t) = (side(p), side(next));
-            if s >= int(0) {
+            if s >= 0 {
                 kept.push(p.clone());
             }
-            if (s > int(0) && t < int(0)) || (s < int(0) && t > int(0)) {
-                let share = &s / (&s - &t);
-                kept.push([0, 1].map(|k| &p[k] + &share * (&next[k] - &p[k])));
+            if (s > 0 && t < 0) || (s < 0 && t > 0) {
+                let share = s.over(&(&s - &t)).unwrap();
+                kept.push([0, 1].map(|k| between(&share, &p[k], &next[k])));
             }
         }
         points = kept;
@@ -229,27 +193,7 @@ pub(crate) fn sutherland_hodgman(window: &Window, polygon: &[DVec2]) -> Vec<Poin
     points
 }
 
-/// The interval of t in which all of `sides`, linear from the first value to the second, are not negative.
-pub(crate) fn interval(sides: &[[R; 2]]) -> Option<[R; 2]> {
-    let (mut t0, mut t1) = (int(0), int(1));
-    for [s, e] in sides {
-        if s == e {
-            if *s < int(0) {
-                return None;
-            }
-            continue;
-        }
-        let t = s / (s - e);
-        if s < e {
-            t0 = t0.max(t);
-        } else {
-            t1 = t1.min(t);
-        }
-    }
-    (t0 <= t1).then_some([t0, t1])
-}
-
 /// a + t (b − a).
-pub(crate) fn at(t: &R, a: f64, b: f64) -> R {
-    r(a) + t * (r(b) - r(a))
+pub(crate) fn at(t: &Exact, a: f64, b: f64) -> Exact {
+    between(t, &r(a), &r(b))
 }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::oracle::{self, R, beside, is_nearest, number, r};
+use crate::oracle::{self, Exact, beside, is_nearest, number, r};
 use ombra_math::work::Work;
 use proptest::prelude::*;
 
@@ -131,13 +131,13 @@ proptest! {
         let b = through + (through - a) * t;
         let b = DVec3::from_array([0, 1, 2].map(|k| if kind == 2 || (kind == 1 && k == 2) { c[k] } else { beside(b[k], ulps[k]) }));
         prop_assume!(b.is_finite());
-        let sides: Vec<[R; 2]> = (0..3)
+        let sides: Vec<[Exact; 2]> = (0..3)
             .flat_map(|k| [
                 [r(a[k]) - r(bounds.min[k]), r(b[k]) - r(bounds.min[k])],
                 [r(bounds.max[k]) - r(a[k]), r(bounds.max[k]) - r(b[k])],
             ])
             .collect();
-        let expected = oracle::interval(&sides);
+        let expected = oracle::not_negative(&sides);
         let clipped = clip_segment(&bounds, [a, b]);
         prop_assert_eq!(clip_segment_plain(&bounds, [a, b], &mut ()), clipped);
         prop_assert_eq!(clipped.is_some(), expected.is_some());

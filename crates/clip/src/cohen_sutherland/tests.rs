@@ -274,7 +274,7 @@ proptest! {
             let y = crate::crossing::at_x(s, x);
             prop_assert_eq!(y.is_some(), between && s.a.x != s.b.x);
             if let Some(y) = y {
-                let t = (r(x) - r(s.a.x)) / (r(s.b.x) - r(s.a.x));
+                let t = (r(x) - r(s.a.x)).over(&(r(s.b.x) - r(s.a.x))).unwrap();
                 prop_assert!(is_nearest(y, &(r(s.a.y) + t * (r(s.b.y) - r(s.a.y)))));
                 let turned = segment((s.a.y, s.a.x), (s.b.y, s.b.x));
                 prop_assert_eq!(crate::crossing::at_y(turned, x), Some(y));

@@ -1,5 +1,5 @@
 use super::*;
-use crate::oracle::{self, R, beside, int, is_nearest, r, window_and_segment};
+use crate::oracle::{self, Exact, beside, is_nearest, r, window_and_segment};
 use crate::{Window, liang_barsky};
 use ombra_math::double_double::DoubleDouble;
 use proptest::prelude::*;
@@ -160,10 +160,10 @@ proptest! {
         let b = corner + (corner - a) * t;
         let b = if b.is_finite() { DVec2::new(beside(b.x, i), b.y) } else { corner };
         let s = Segment::new(a, b);
-        let sides: Vec<[R; 2]> = edges(&polygon).map(|(p, q)| [a, b].map(|x| {
+        let sides: Vec<[Exact; 2]> = edges(&polygon).map(|(p, q)| [a, b].map(|x| {
             (r(q.x) - r(p.x)) * (r(x.y) - r(p.y)) - (r(q.y) - r(p.y)) * (r(x.x) - r(p.x))
         })).collect();
-        let expected = oracle::interval(&sides);
+        let expected = oracle::not_negative(&sides);
         let clipped = clip_segment(&polygon, s);
         let in_range = [a.x, a.y, b.x, b.y].into_iter().all(DoubleDouble::in_range);
         prop_assert!(!in_range || clip_segment_plain(&polygon, s, &mut ()) == clipped);
@@ -173,8 +173,8 @@ proptest! {
                 prop_assert!(is_nearest(p.x, &oracle::at(t, a.x, b.x)));
                 prop_assert!(is_nearest(p.y, &oracle::at(t, a.y, b.y)));
             }
-            prop_assert!(t[0] > int(0) || clipped.a == a);
-            prop_assert!(t[1] < int(1) || clipped.b == b);
+            prop_assert!(t[0] > 0 || clipped.a == a);
+            prop_assert!(t[1] < 1 || clipped.b == b);
         }
         let mut clockwise = polygon.clone();
         clockwise.reverse();
@@ -190,8 +190,8 @@ proptest! {
         let side = |p: &Plane, x: DVec3| {
             r(p.normal.x) * r(x.x) + r(p.normal.y) * r(x.y) + r(p.normal.z) * r(x.z) + r(p.d)
         };
-        let sides: Vec<[R; 2]> = planes.iter().map(|p| [side(p, a), side(p, b)]).collect();
-        let expected = oracle::interval(&sides);
+        let sides: Vec<[Exact; 2]> = planes.iter().map(|p| [side(p, a), side(p, b)]).collect();
+        let expected = oracle::not_negative(&sides);
         let clipped = clip_segment_3d(&planes, [a, b]);
         prop_assert_eq!(clipped.is_some(), expected.is_some());
         if let (Some(clipped), Some(t)) = (clipped, expected) {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::oracle::{self, R, beside, int, is_nearest, number, r};
+use crate::oracle::{self, Exact, beside, is_nearest, number, r};
 use ombra_math::glam::DVec3;
 use ombra_math::view::frustum;
 use ombra_math::work::Work;
@@ -136,8 +136,8 @@ fn position() -> impl Strategy<Value = DVec4> {
     })
 }
 
-fn sides(a: DVec4, b: DVec4) -> Vec<[R; 2]> {
-    let of = |p: DVec4| -> Vec<R> {
+fn sides(a: DVec4, b: DVec4) -> Vec<[Exact; 2]> {
+    let of = |p: DVec4| -> Vec<Exact> {
         let w = r(p.w);
         [p.x, p.y, p.z]
             .into_iter()
@@ -221,10 +221,10 @@ proptest! {
             let next = polygon.iter().cycle().skip(1);
             let is_crossing = |v: &Vertex<1>| polygon.iter().zip(next.clone()).any(|(a, b)| {
                 let (sa, sb) = (side(a), side(b));
-                if &sa * &sb >= int(0) {
+                if &sa * &sb >= 0 {
                     return false;
                 }
-                let t = &sa / (&sa - &sb);
+                let t = sa.over(&(&sa - &sb)).unwrap();
                 (0..4).all(|k| is_nearest(v.position[k], &oracle::at(&t, a.position[k], b.position[k])))
                     && is_nearest(v.attributes[0], &oracle::at(&t, a.attributes[0], b.attributes[0]))
             });
@@ -241,14 +241,14 @@ proptest! {
         let beyond = DVec4::new(x, y, z, 1.0) * 2.0 - a;
         let beyond = DVec4::new(beside(beyond.x, i), beyond.y, beyond.z, beyond.w);
         let b = if kind > 0 && beyond.is_finite() { beyond } else { b };
-        let expected = oracle::interval(&sides(a, b));
+        let expected = oracle::not_negative(&sides(a, b));
         let clipped = clip_segment([a, b]);
         let Some(t) = expected else {
             prop_assert_eq!(clipped, None);
             return Ok(());
         };
         let ends = t.map(|t| [0, 1, 2, 3].map(|k| oracle::at(&t, a[k], b[k])));
-        let zero = |p: &[R; 4]| p.iter().all(|x| *x == int(0));
+        let zero = |p: &[Exact; 4]| p.iter().all(|x| *x == 0);
         let Some(clipped) = clipped else {
             // Only (0, 0, 0, 0) is left.
             prop_assert!((zero(&ends[0]) && zero(&ends[1])) || a == DVec4::ZERO || b == DVec4::ZERO);
@@ -300,7 +300,7 @@ proptest! {
         let window = crate::Window { min: -one, max: one };
         let expected = oracle::area(&crate::sutherland_hodgman::clip_polygon(&window, &flat));
         let picture: Vec<_> = clip_polygon(&lifted).iter().map(|v| v.position.truncate().truncate() / v.position.w).collect();
-        let error = oracle::absolute(oracle::area(&picture) - expected);
+        let error = (oracle::area(&picture) - expected).abs();
         // Nine corners at most, each off by two roundings of numbers up to 1, times twice the size 2.
         prop_assert!(error <= r(9.0 * 2.0 * f64::EPSILON * 4.0));
     }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::oracle::{self, absolute, area, int, r, small_window, winding};
+use crate::oracle::{self, Exact, area, r, small_window, winding};
 use crate::outline::edges;
 use proptest::prelude::*;
 
@@ -155,7 +155,7 @@ fn degenerate() {
     let mut wide = points([(-huge, -huge), (huge, -huge), (huge, huge), (-huge, huge)]);
     assert_eq!(clip_polygon(&w, &wide), [corners]);
     wide.reverse();
-    assert_eq!(area(&clip_polygon(&w, &wide)[0]), int(-200));
+    assert_eq!(area(&clip_polygon(&w, &wide)[0]), -200);
     // Twice round the window.
     let twice = wide.repeat(2);
     assert_eq!(clip_polygon(&w, &twice).len(), 2);
@@ -268,12 +268,12 @@ proptest! {
         let (parts, cells) = parts(&columns, 6, 5);
         prop_assert_eq!(pieces.len(), parts, "{:?}", &pieces);
         let sign = if clockwise { -1 } else { 1 };
-        let mut sum = int(0);
+        let mut sum = Exact::ZERO;
         for piece in &pieces {
-            prop_assert!(area(piece) * int(sign) > int(0));
+            prop_assert!(area(piece) * Exact::from(sign) > 0);
             sum += area(piece);
         }
-        prop_assert_eq!(sum, int(2 * sign * cells as i64));
+        prop_assert_eq!(sum, Exact::from(2 * sign * cells as i64));
     }
 
     #[test]
@@ -292,10 +292,10 @@ proptest! {
         let w = small_window();
         let pieces = check(&w, &polygon)?;
         let one = area(&crate::sutherland_hodgman::clip_polygon(&w, &polygon));
-        let sum: oracle::R = pieces.iter().map(|piece| area(piece)).sum();
+        let sum: Exact = pieces.iter().map(|piece| area(piece)).sum();
         // Up to 4 crossings an edge, each off by half an ulp of 8 in x and y, times twice the window's size, twice.
         let bound = r(2.0 * 14.0 * 4.0 * f64::EPSILON * 4.0 * 2.0 * 12.0);
-        prop_assert!(absolute(one - sum) <= bound);
+        prop_assert!((one - sum).abs() <= bound);
     }
 
     /// Those of the one outline, which are the nearest doubles to the true ones, and corners.

@@ -1,27 +1,19 @@
 use super::*;
-use crate::oracle::{self, R, absolute, int, r};
+use crate::oracle::{self, Exact, r};
 use crate::sutherland_hodgman::counted;
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use ombra_math::work::Work;
+use ombra_oracle::interval::between;
+use ombra_oracle::vector::exact;
 use proptest::prelude::*;
-
-fn exact(x: f64) -> BigRational {
-    BigRational::from_float(x).unwrap()
-}
 
 fn v(x: f64, y: f64, z: f64) -> DVec3 {
     DVec3::new(x, y, z)
 }
 
-/// Twice the area of a polygon with z = 0, in rationals.
-fn area(polygon: &[DVec3]) -> BigRational {
-    let mut sum = BigRational::from_integer(BigInt::from(0));
-    for (i, a) in polygon.iter().enumerate() {
-        let b = polygon[(i + 1) % polygon.len()];
-        sum += exact(a.x) * exact(b.y) - exact(a.y) * exact(b.x);
-    }
-    sum
+/// Twice the area of a polygon with z = 0.
+fn area(polygon: &[DVec3]) -> Exact {
+    let flat: Vec<_> = polygon.iter().map(|p| p.truncate()).collect();
+    oracle::area(&flat)
 }
 
 fn points<const N: usize>(p: [(f64, f64); N]) -> Vec<DVec2> {
@@ -336,8 +328,7 @@ proptest! {
             (clip_against_plane(&polygon, &plane), clip_against_plane(&polygon, &plane.turned()));
         let rest = area(&polygon) - area(&front) - area(&back);
         // At most 16 crossings, each off by 4ε · 8, times the polygon's size of 16.
-        let bound = exact(16.0 * 4.0 * f64::EPSILON * 8.0 * 16.0);
-        prop_assert!(rest <= bound && -rest <= bound);
+        prop_assert!(rest.abs() <= 16.0 * 4.0 * f64::EPSILON * 8.0 * 16.0);
         for p in front {
             let slack = 4.0 * f64::EPSILON * 8.0;
             prop_assert!(plane.signed_distance(p) >= -slack);
@@ -348,13 +339,13 @@ proptest! {
     fn crossings_keep_their_bounds(x in prop::collection::vec(modest(), 12), n in prop::array::uniform4(modest())) {
         let polygon: Vec<DVec4> = x.chunks_exact(4).map(DVec4::from_slice).collect();
         let n = DVec4::from(n);
-        let side = |p: DVec4| (0..4).map(|k| r(n[k]) * r(p[k])).sum::<R>();
+        let side = |p: DVec4| (0..4).map(|k| r(n[k]) * r(p[k])).sum::<Exact>();
         let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
         // Those that cross, inner end first.
         let crossing = |lifted: fn(DVec4) -> DVec4| -> Vec<[DVec4; 2]> {
             let sides = edges.clone().map(|(&a, &b)| [lifted(a), lifted(b)]);
-            let inwards = sides.map(|[a, b]| if side(a) > int(0) { [a, b] } else { [b, a] });
-            inwards.filter(|&[a, b]| side(a) > int(0) && side(b) < int(0)).collect()
+            let inwards = sides.map(|[a, b]| if side(a) > 0 { [a, b] } else { [b, a] });
+            inwards.filter(|&[a, b]| side(a) > 0 && side(b) < 0).collect()
         };
 
         // 3ε (|s_A B| + |s_B A|), the whole times some power of two.
@@ -366,8 +357,8 @@ proptest! {
                 let scale = r(libm::scalbn(1.0, -libm::ilogb(top) - 2));
                 (0..4).all(|k| {
                     let (of_b, of_a) = (&scale * &sa * r(b[k]), &scale * &sb * r(a[k]));
-                    let bound = r(3.0 * f64::EPSILON) * (absolute(of_b.clone()) + absolute(of_a.clone()));
-                    absolute(r(p[k]) - (of_b - of_a)) <= bound
+                    let bound = r(3.0 * f64::EPSILON) * (of_b.abs() + of_a.abs());
+                    (r(p[k]) - (of_b - of_a)).abs() <= bound
                 })
             };
             prop_assert!(polygon.contains(&p) || edges_of_it.iter().any(near), "{}", p);
@@ -379,10 +370,10 @@ proptest! {
         for p in clip_against_plane(&places, &Plane { normal: n.truncate(), d: n.w }) {
             let near = |&[a, b]: &[DVec4; 2]| {
                 let (sa, sb) = (side(a), side(b));
-                let t = &sa / (&sa - &sb);
+                let t = sa.over(&(&sa - &sb)).unwrap();
                 (0..3).all(|k| {
                     let exact = oracle::at(&t, a[k], b[k]);
-                    absolute(r(p[k]) - exact) <= r(4.0 * f64::EPSILON * a[k].abs().max(b[k].abs()))
+                    (r(p[k]) - exact).abs() <= r(4.0 * f64::EPSILON * a[k].abs().max(b[k].abs()))
                 })
             };
             prop_assert!(places.contains(&p) || edges_of_it.iter().any(near), "{}", p);
@@ -398,33 +389,33 @@ proptest! {
         let through = polygon[at % polygon.len()];
         prop_assume!(through.length() < 1e300);
         let half = HalfPlane { normal, offset: beside(normal.dot(through), i) };
-        let zero = BigRational::from_integer(BigInt::from(0));
-        let side = |p: DVec2| exact(normal.x) * exact(p.x) + exact(normal.y) * exact(p.y) - exact(half.offset);
+        let side = |p: DVec2| r(normal.x) * r(p.x) + r(normal.y) * r(p.y) - r(half.offset);
         let clipped = clip_against_line(&polygon, half);
-        // What the plain method keeps, in rationals.
+        // What the plain method keeps, without rounding.
         let mut expected = Vec::new();
         for (k, &a) in polygon.iter().enumerate() {
             let b = polygon[(k + 1) % polygon.len()];
             let (s, t) = (side(a), side(b));
-            if s >= zero {
-                expected.push([exact(a.x), exact(a.y)]);
+            let (a, b) = (exact(a).unwrap(), exact(b).unwrap());
+            if s >= 0 {
+                expected.push(a.clone());
             }
-            if &s * &t < zero {
-                let share = &s / (&s - &t);
-                expected.push([[a.x, b.x], [a.y, b.y]].map(|[p, q]| exact(p) + &share * (exact(q) - exact(p))));
+            if &s * &t < 0 {
+                let share = s.over(&(&s - &t)).unwrap();
+                expected.push([0, 1].map(|k| between(&share, &a[k], &b[k])));
             }
         }
-        let near = |p: &DVec2, e: &[BigRational; 2]| is_nearest(p.x, &e[0]) && is_nearest(p.y, &e[1]);
+        let near = |p: &DVec2, e: &[Exact; 2]| is_nearest(p.x, &e[0]) && is_nearest(p.y, &e[1]);
         prop_assert!(clipped.iter().all(|p| expected.iter().any(|e| near(p, e))));
         prop_assert!(clipped.is_empty() || expected.iter().all(|e| clipped.iter().any(|p| near(p, e))));
         if clipped.is_empty() {
             // Nothing but at most two different points, or points of the line.
-            let off_the_line = polygon.iter().any(|&p| side(p) > zero);
-            let close = |x: &BigRational, y: &BigRational| {
-                let size = exact(1e-12) * (x * x + y * y + exact(1.0));
-                (x - y) * (x - y) <= size * exact(1e-12)
+            let off_the_line = polygon.iter().any(|&p| side(p) > 0);
+            let close = |x: &Exact, y: &Exact| {
+                let size = r(1e-12) * (x.squared() + y.squared() + r(1.0));
+                (x - y).squared() <= size * r(1e-12)
             };
-            let mut different: Vec<[BigRational; 2]> = Vec::new();
+            let mut different: Vec<[Exact; 2]> = Vec::new();
             for e in expected {
                 if !different.iter().any(|f| close(&e[0], &f[0]) && close(&e[1], &f[1])) {
                     different.push(e);
@@ -457,7 +448,6 @@ proptest! {
         // Where a polygon without area comes back along itself, one form may see two crossings and the other
         // one; the area is the same.
         let difference = area(&places) - area(&homogeneous);
-        let bound = exact(16.0 * 4.0 * f64::EPSILON * 8.0 * 16.0);
-        prop_assert!(difference <= bound && -difference <= bound);
+        prop_assert!(difference.abs() <= 16.0 * 4.0 * f64::EPSILON * 8.0 * 16.0);
     }
 }
