@@ -1,38 +1,30 @@
 use super::*;
-use num_bigint::BigInt;
-use num_rational::BigRational;
+use ombra_oracle::{Exact, vector};
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 
-fn exact(x: f64) -> BigRational {
-    BigRational::from_float(x).unwrap()
+fn exact(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
-fn zero() -> BigRational {
-    BigRational::from_integer(BigInt::from(0))
+fn within(x: f64, expected: &Exact, bound: &Exact) -> bool {
+    (exact(x) - expected).abs() <= *bound
 }
 
-fn abs(x: &BigRational) -> BigRational {
-    if *x < zero() { -x } else { x.clone() }
+fn exact_area(a: DVec2, b: DVec2, p: DVec2) -> Exact {
+    let [a, b, p] = [a, b, p].map(|p| vector::exact(p).unwrap());
+    vector::turn(&a, &b, &p)
 }
 
-fn within(x: f64, expected: &BigRational, bound: &BigRational) -> bool {
-    abs(&(exact(x) - expected)) <= *bound
-}
-
-fn exact_area(a: DVec2, b: DVec2, p: DVec2) -> BigRational {
-    let [ax, ay, bx, by, px, py] = [a.x, a.y, b.x, b.y, p.x, p.y].map(exact);
-    (&bx - &ax) * (&py - &ay) - (&by - &ay) * (&px - &ax)
-}
-
-fn exact_weights([a, b, c]: [DVec2; 3], p: DVec2) -> Option<[BigRational; 3]> {
+fn exact_weights([a, b, c]: [DVec2; 3], p: DVec2) -> Option<[Exact; 3]> {
     let whole = exact_area(a, b, c);
-    (whole != zero()).then(|| [(b, c), (c, a), (a, b)].map(|(a, b)| exact_area(a, b, p) / &whole))
+    (whole != 0)
+        .then(|| [(b, c), (c, a), (a, b)].map(|(a, b)| exact_area(a, b, p).over(&whole).unwrap()))
 }
 
 /// ε times `k`.
-fn epsilon(k: i32) -> BigRational {
-    exact(f64::EPSILON) * BigInt::from(k)
+fn epsilon(k: i32) -> Exact {
+    exact(f64::EPSILON) * Exact::from(k)
 }
 
 /// Of ordinary size; a third are slivers, off a line by 10⁻¹² or less.
@@ -74,7 +66,7 @@ proptest! {
             };
             let found = found.unwrap();
             for i in 0..3 {
-                prop_assert!(within(found[i], &expected[i], &(abs(&expected[i]) * epsilon(64))));
+                prop_assert!(within(found[i], &expected[i], &(expected[i].abs() * epsilon(64))));
             }
         }
     }
@@ -90,7 +82,7 @@ proptest! {
                 continue;
             };
             for (found, expected) in found.unwrap().to_array().into_iter().zip(expected) {
-                let distance = |x: f64| abs(&(exact(x) - &expected));
+                let distance = |x: f64| (exact(x) - &expected).abs();
                 prop_assert!(distance(found) <= distance(found.next_up()).min(distance(found.next_down())));
             }
         }
@@ -106,7 +98,7 @@ proptest! {
         }
         prop_assume!(weights.iter().all(|x| x.is_finite()));
         let terms: Vec<_> = (0..3).map(|i| exact(weights[i]) * exact(a[i])).collect();
-        let size: BigRational = terms.iter().map(abs).sum();
+        let size: Exact = terms.iter().map(Exact::abs).sum();
         prop_assert!(within(linear(weights.into(), a), &terms.iter().sum(), &(size * epsilon(2))));
     }
 
@@ -117,22 +109,22 @@ proptest! {
         let Some(lambda) = exact_weights(triangle, p) else { return Ok(()) };
         let found = weights(triangle, p).unwrap();
         let terms: Vec<_> = (0..3).map(|i| &lambda[i] * exact(a[i])).collect();
-        let size: BigRational = terms.iter().map(abs).sum();
+        let size: Exact = terms.iter().map(Exact::abs).sum();
         prop_assert!(within(linear(found, a), &terms.iter().sum(), &(size * epsilon(67))));
 
         // The mixed point is rounded: on a sliver it may lie outside, where the bound does not hold.
-        prop_assume!(lambda.iter().all(|x| *x >= zero()));
-        let numerator: BigRational = (0..3).map(|i| &terms[i] / exact(w[i])).sum();
-        let denominator: BigRational = (0..3).map(|i| &lambda[i] / exact(w[i])).sum();
+        prop_assume!(lambda.iter().all(|x| *x >= 0));
+        let numerator: Exact = (0..3).map(|i| terms[i].over(&exact(w[i])).unwrap()).sum();
+        let denominator: Exact = (0..3).map(|i| lambda[i].over(&exact(w[i])).unwrap()).sum();
         let largest = a.map(f64::abs).into_iter().fold(0.0, f64::max);
         let value = perspective(found, a, w).unwrap();
-        prop_assert!(within(value, &(numerator / denominator), &(exact(largest) * epsilon(140))));
+        prop_assert!(within(value, &numerator.over(&denominator).unwrap(), &(exact(largest) * epsilon(140))));
 
         let mu = perspective_weights(found, w).unwrap();
-        let shares: Vec<_> = (0..3).map(|i| exact(found[i]) / exact(w[i])).collect();
-        let total: BigRational = shares.iter().sum();
+        let shares: Vec<_> = (0..3).map(|i| exact(found[i]).over(&exact(w[i])).unwrap()).collect();
+        let total: Exact = shares.iter().sum();
         for i in 0..3 {
-            let expected = &shares[i] / &total;
+            let expected = shares[i].over(&total).unwrap();
             prop_assert!(within(mu[i], &expected, &(&expected * epsilon(5))));
         }
     }
@@ -150,7 +142,7 @@ proptest! {
         for (x, found) in span.x.clone().zip(steps) {
             let expected = exact_weights(triangle, centre(x)).unwrap();
             for i in 0..3 {
-                let scale = abs(&ends[0][i]).max(abs(&ends[1][i]));
+                let scale = ends[0][i].abs().max(ends[1][i].abs());
                 prop_assert!(within(found[i], &expected[i], &(scale * epsilon(128))));
             }
             count += 1;

@@ -1,29 +1,20 @@
-use core::ops::Neg;
-
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use ombra_math::glam::DVec4;
+use ombra_oracle::Exact;
 use proptest::prelude::*;
 
 use super::*;
 use crate::buffers::DepthBuffer;
 
-type R = BigRational;
-
-fn r(x: f64) -> R {
-    R::from_float(x).unwrap()
+fn r(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
-fn int(x: impl Into<BigInt>) -> R {
-    R::from_integer(x.into())
+fn share(x: u32, whole: u32) -> Exact {
+    Exact::from(x).over(&Exact::from(whole)).unwrap()
 }
 
-fn size(x: R) -> R {
-    if x < int(0) { x.neg() } else { x }
-}
-
-fn is_within(found: f64, exact: &R, roundings: f64) -> bool {
-    size(r(found) - exact) <= size(exact.clone()) * r(roundings * f64::EPSILON / 2.0)
+fn is_within(found: f64, exact: &Exact, roundings: f64) -> bool {
+    (r(found) - exact).abs() <= exact.abs() * r(roundings * f64::EPSILON / 2.0)
 }
 
 proptest! {
@@ -35,13 +26,13 @@ proptest! {
             F::Stored: Into<u32>,
         {
             let found: u32 = F::encode(value).into();
-            let error = size(r(value) * int(max) - int(found));
+            let error = (r(value) * Exact::from(max) - Exact::from(found)).abs();
             // Half a step, and the rounding of the product.
-            prop_assert!(error <= r(0.5) + int(max) * r(f64::EPSILON));
+            prop_assert!(error <= r(0.5) + Exact::from(max) * r(f64::EPSILON));
             let decoded = F::decode(F::encode(value));
             prop_assert_eq!(F::encode(decoded).into(), found);
-            prop_assert!(is_within(decoded, &(int(found) / int(max)), 1.0));
-            prop_assert!(is_within(F::spacing(value), &(int(1) / int(max)), 1.0));
+            prop_assert!(is_within(decoded, &share(found, max), 1.0));
+            prop_assert!(is_within(F::spacing(value), &share(1, max), 1.0));
             Ok(())
         }
         check::<Depth16>(value, 65_535)?;
@@ -64,11 +55,11 @@ proptest! {
         let value = f32::from_bits(bits);
         let mut reversed: DepthBuffer<ReversedDepth32F> = DepthBuffer::new(2, 1).unwrap();
         *reversed.stored_mut(1, 0).unwrap() = value;
-        let exact = int(1) - r(f64::from(value));
+        let exact = Exact::from(1) - r(f64::from(value));
         prop_assert!(is_within(reversed.depth(1, 0).unwrap(), &exact, 1.0));
         let mut depth: DepthBuffer<Depth16> = DepthBuffer::new(2, 1).unwrap();
         depth.values_mut()[1] = i;
-        prop_assert!(is_within(depth.depth(1, 0).unwrap(), &(int(i) / int(65_535)), 1.0));
+        prop_assert!(is_within(depth.depth(1, 0).unwrap(), &share(i.into(), 65_535), 1.0));
         prop_assert_eq!((depth.depth(0, 0), depth.depth(2, 0)), (Some(1.0), None));
     }
 
@@ -79,7 +70,8 @@ proptest! {
         for z in [share * w, w * (1.0 - libm::scalbn(1.0, -13 - last)), -w] {
             let p = DVec4::new(0.0, 0.0, z, w);
             for (found, z) in [(Depth24::value(p), z), (ReversedDepth32F::value(p), -z)] {
-                prop_assert!(is_within(found, &((r(w) + r(z)) / (int(2) * r(w))), 2.0), "{} {}", z, w);
+                let right = (r(w) + r(z)).over(&r(w)).unwrap().scaled(-1);
+                prop_assert!(is_within(found, &right, 2.0), "{} {}", z, w);
             }
         }
     }

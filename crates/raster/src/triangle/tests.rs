@@ -1,8 +1,7 @@
 use super::*;
 use crate::polygon::{self, FillRule, fill};
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use ombra_math::work::Work;
+use ombra_oracle::Exact;
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -248,21 +247,20 @@ proptest! {
         }
     }
 
-    /// Compared with rationals, from ordinary triangles to slivers of 10⁻¹³ and over six hundred binary orders.
+    /// Compared with exact numbers, from ordinary triangles to slivers of 10⁻¹³ and over six hundred binary orders.
     #[test]
     fn the_edge_function_keeps_its_bound(corners in points(coordinate(), 3), scale in [-300..300i32, -300..300i32]) {
         let scale = DVec2::new(libm::scalbn(1.0, scale[0]), libm::scalbn(1.0, scale[1]));
         let [a, b, p] = [corners[0] * scale, corners[1] * scale, corners[2] * scale];
-        let exact = |x: f64| BigRational::from_float(x).unwrap();
+        let exact = |x: f64| Exact::new(x).unwrap();
         let [ax, ay, bx, by, px, py] = [a.x, a.y, b.x, b.y, p.x, p.y].map(exact);
         let (down, up) = ((&bx - &ax) * (&py - &ay), (&by - &ay) * (&px - &ax));
-        let abs = |x: BigRational| if x < exact(0.0) { -x } else { x };
-        let error = abs(exact(edge_function(a, b, p)) - (&down - &up));
-        let bound = exact(2.01 * f64::EPSILON) * (abs(down) + abs(up));
+        let error = (exact(edge_function(a, b, p)) - (&down - &up)).abs();
+        let bound = exact(2.01 * f64::EPSILON) * (down.abs() + up.abs());
         prop_assert!(error <= bound, "{} {}", error, bound);
     }
 
-    /// Snapping is exact: ⌊x · 2ᵇ + ½⌋ / 2ᵇ in rationals, for every double and any number of bits.
+    /// Snapping is exact: ⌊x · 2ᵇ + ½⌋ / 2ᵇ without rounding, for every double and any number of bits.
     #[test]
     fn snapping_is_exact(x in ANY.prop_filter("finite", |x| x.is_finite()), near in -60..60i32, bits in 0..1100u32) {
         let scaled = |x: f64| libm::scalbn(x, -(bits as i32));
@@ -270,11 +268,13 @@ proptest! {
         let ties = [tie.next_down(), tie, tie.next_up()].map(scaled);
         for x in [x, scaled(libm::scalbn(x, near - libm::ilogb(x).clamp(-1100, 1100)))].into_iter().chain(ties) {
             prop_assume!(x.is_finite());
-            let scale = BigRational::from_integer(BigInt::from(1) << bits as usize);
-            let half = BigRational::new(1.into(), 2.into());
-            let exact = (BigRational::from_float(x).unwrap() * &scale + half).floor() / scale;
+            let up = Exact::new(x).unwrap() + Exact::power_of_two(-1 - i64::from(bits));
+            // Down, where cutting off went up.
+            let cut_off = up.truncated(bits);
+            let step = Exact::power_of_two(-i64::from(bits));
+            let exact = if cut_off > up { cut_off - step } else { cut_off };
             let found = snap(DVec2::splat(x), bits).x;
-            prop_assert_eq!(BigRational::from_float(found).unwrap(), exact, "{:e} {}", x, bits);
+            prop_assert!(exact == found, "{:e} {}", x, bits);
         }
     }
 

@@ -1,20 +1,14 @@
-//! Which pixels and which depths: against the exact cover, exact rationals and the readable form.
+//! Which pixels and which depths: against the exact cover, exact numbers and the readable form.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::turn;
 use proptest::prelude::*;
 
 use super::*;
 use crate::{attributes, triangle};
 
-type R = BigRational;
-
-fn r(x: f64) -> R {
-    R::from_float(x).unwrap()
-}
-
-fn int(x: impl Into<BigInt>) -> R {
-    R::from_integer(x.into())
+fn r(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
 /// Places in a picture, some far beyond it, some equal, some on pixel centres.
@@ -93,20 +87,16 @@ proptest! {
                 let value = setup.value(edges);
                 // Cramer's rule on the corners as given.
                 let [a, b, c] = corners;
-                let point = |c: &Corner| [int(c.x), int(c.y)];
-                let p = [int(x * 256 + 128), int(y * 256 + 128)];
-                let area = |[px, py]: [R; 2], [qx, qy]: [R; 2], [sx, sy]: [R; 2]| {
-                    (qx - &px) * (sy - &py) - (qy - py) * (sx - px)
-                };
+                let point = |c: &Corner| [c.x, c.y].map(Exact::from);
+                let p = [x * 256 + 128, y * 256 + 128].map(Exact::from);
                 let [pa, pb, pc] = [&a, &b, &c].map(point);
-                let sum = area(p.clone(), pb.clone(), pc.clone()) * r(a.value)
-                    + area(pa.clone(), p.clone(), pc.clone()) * r(b.value)
-                    + area(pa.clone(), pb.clone(), p) * r(c.value);
-                let exact = sum / area(pa, pb, pc);
-                let error = r(value) - &exact;
-                let error = if error < int(0) { -error } else { error };
+                let sum = turn(&p, &pb, &pc) * r(a.value)
+                    + turn(&pa, &p, &pc) * r(b.value)
+                    + turn(&pa, &pb, &p) * r(c.value);
+                let exact = sum.over(&turn(&pa, &pb, &pc)).unwrap();
+                let error = (r(value) - &exact).abs();
                 // 5 · 2⁻⁵³; below the range of doubles the dᵢ / E have an error of 2⁻¹⁰⁷⁵, times Eᵢ < 2⁵².
-                let bound = exact.clone() * r(5.01 * f64::EPSILON / 2.0) + r(libm::scalbn(1.0, -1021));
+                let bound = exact * r(5.01 * f64::EPSILON / 2.0) + r(libm::scalbn(1.0, -1021));
                 prop_assert!(error <= bound, "{} {}: {}", x, y, value);
                 prop_assert!((setup.least..=setup.greatest).contains(&value));
             }

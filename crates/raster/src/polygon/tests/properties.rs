@@ -1,37 +1,37 @@
 use super::*;
 use crate::step::WIDEST;
-use num_bigint::BigInt;
-use num_rational::BigRational;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{exact, turn};
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 
 type Contours = Vec<Vec<DVec2>>;
 
-/// 2¹⁶⁰⁰ x, an integer.
-fn integer(x: f64) -> BigInt {
-    let x: BigRational = BigRational::from_float(x).unwrap() * (BigInt::from(1) << 60usize);
-    assert!(x.is_integer());
-    x.to_integer() << 1540usize
+/// A point whose coordinates are multiples of 2⁻⁶⁰.
+fn on_the_grid(p: DVec2) -> [Exact; 2] {
+    let p = exact(p).unwrap();
+    assert!(p.iter().all(|x| x.truncated(60) == *x));
+    p
 }
 
 /// The winding number of a centre, really shifted: by 2⁻⁴⁰⁰ to the right and 2⁻⁸⁰⁰ down. For coordinates that are
 /// multiples of 2⁻⁶⁰ below 2⁸⁰ no edge passes between the centre and there, so nothing here can be a tie.
-fn winding_oracle(contours: &[Vec<[BigInt; 2]>], column: u32, row: u32) -> i64 {
-    let shift = |bits: usize| BigInt::from(1) << (1600 - bits);
-    let x = integer(f64::from(column) + 0.5) + shift(400);
-    let y = integer(f64::from(row) + 0.5) + shift(800);
+fn winding_oracle(contours: &[Vec<[Exact; 2]>], column: u32, row: u32) -> i64 {
+    let [x, y] = exact([column, row].map(|k| f64::from(k) + 0.5)).unwrap();
+    let centre = [x + Exact::power_of_two(-400), y + Exact::power_of_two(-800)];
+    let y = &centre[1];
     let mut winding = 0;
     for vertices in contours {
-        for (i, [ax, ay]) in vertices.iter().enumerate() {
-            let [bx, by] = &vertices[(i + 1) % vertices.len()];
-            assert!(*ay != y && *by != y);
-            if (*ay < y) == (*by < y) {
+        for (i, a) in vertices.iter().enumerate() {
+            let b = &vertices[(i + 1) % vertices.len()];
+            assert!(a[1] != *y && b[1] != *y);
+            if (a[1] < *y) == (b[1] < *y) {
                 continue;
             }
-            let side = (bx - ax) * (&y - ay) - (by - ay) * (&x - ax);
-            assert!(side != BigInt::from(0));
-            let down = by > ay;
-            if (side < BigInt::from(0)) == down {
+            let side = turn(a, b, &centre);
+            assert!(side != 0);
+            let down = b[1] > a[1];
+            if (side < 0) == down {
                 winding += if down { 1 } else { -1 };
             }
         }
@@ -42,7 +42,7 @@ fn winding_oracle(contours: &[Vec<[BigInt; 2]>], column: u32, row: u32) -> i64 {
 fn oracle(contours: &[Vec<DVec2>], rule: FillRule, width: u32, height: u32) -> Vec<String> {
     let contours: Vec<Vec<_>> = contours
         .iter()
-        .map(|contour| contour.iter().map(|v| v.to_array().map(integer)).collect())
+        .map(|contour| contour.iter().map(|&v| on_the_grid(v)).collect())
         .collect();
     let cell = |x, y| match rule {
         FillRule::EvenOdd => winding_oracle(&contours, x, y) % 2 != 0,
@@ -148,21 +148,17 @@ proptest! {
     #[test]
     fn a_crossing_is_the_nearest_double(a in [finite(), finite()], b in [finite(), finite()], row in 0..9u32) {
         prop_assume!(a[1] != b[1]);
-        let [ax, ay, bx, by, y] = [a[0], a[1], b[0], b[1], f64::from(row) + 0.5].map(|x| BigRational::from_float(x).unwrap());
-        let exact = (&ax * (&by - &y) + &bx * (&y - &ay)) / (&by - &ay);
+        let [ax, ay, bx, by, y] = [a[0], a[1], b[0], b[1], f64::from(row) + 0.5].map(|x| Exact::new(x).unwrap());
+        let exact = (&ax * (&by - &y) + &bx * (&y - &ay)).over(&(&by - &ay)).unwrap();
         let (top, bottom) = (DVec2::from_array(a), DVec2::from_array(b));
         let x = Edge { top, bottom, winding: 1, rows: 0..9 }.x(row);
-        let distance = |x: f64| {
-            let d = BigRational::from_float(x)? - &exact;
-            Some(if d < BigRational::from_integer(BigInt::from(0)) { -d } else { d })
-        };
+        let distance = |x: f64| Some((Exact::new(x)? - &exact).abs());
         if let Some(found) = distance(x) {
             for neighbour in [x.next_down(), x.next_up()].into_iter().filter_map(distance) {
                 prop_assert!(found <= neighbour);
             }
         } else {
-            let largest = BigRational::from_float(f64::MAX.copysign(x)).unwrap();
-            let beyond = if x > 0.0 { exact > largest } else { exact < largest };
+            let beyond = if x > 0.0 { exact > f64::MAX } else { exact < -f64::MAX };
             prop_assert!(beyond);
         }
     }
