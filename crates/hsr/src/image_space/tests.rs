@@ -1,65 +1,43 @@
 use super::about::is_true;
 use super::*;
 use crate::picture::{compare, paint, polygons};
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use ombra_math::glam::{DMat4, DVec2, DVec3, DVec4};
 use ombra_math::predicates::orient_3d;
 use ombra_math::solids::{cuboid, torus};
 use ombra_math::view::{Viewport, frustum, look_at, orthographic, perspective};
 use ombra_math::work::Work;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{cross, dot, exact, minus};
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 
-type R = BigRational;
-type R3 = [R; 3];
-
-fn r(x: f64) -> R {
-    R::from_float(x).unwrap()
+fn r(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
-fn zero() -> R {
-    R::from_integer(BigInt::from(0))
-}
-
-fn r3(p: DVec3) -> R3 {
-    p.to_array().map(r)
-}
-
-fn minus(p: &R3, q: &R3) -> R3 {
-    [0, 1, 2].map(|i| &p[i] - &q[i])
-}
-
-fn cross(p: &R3, q: &R3) -> R3 {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &p[i] * &q[j] - &p[j] * &q[i])
-}
-
-fn dot(p: &R3, q: &R3) -> R {
-    (0..3).map(|i| &p[i] * &q[i]).sum()
+fn r3(p: DVec3) -> [Exact; 3] {
+    exact(p).unwrap()
 }
 
 /// All hits with their exact parameters, the nearest first, the first submitted where they tie.
-fn oracle(scene: &[Polygon], line: SightLine) -> Vec<(R, usize)> {
+fn oracle(scene: &[Polygon], line: SightLine) -> Vec<(Exact, usize)> {
     let (o, d) = (r3(line.origin), r3(line.direction));
     let hit = |(index, polygon): (usize, &Polygon)| {
         let [a, b, c] = polygon.span()?.map(r3);
         let normal = cross(&minus(&b, &a), &minus(&c, &a));
         let speed = dot(&normal, &d);
-        if speed == zero() {
-            return None;
-        }
-        let t = dot(&normal, &minus(&a, &o)) / speed;
-        let p: R3 = [0, 1, 2].map(|i| &o[i] + &t * &d[i]);
+        let t = dot(&normal, &minus(&a, &o)).over(&speed)?;
+        let p = [0, 1, 2].map(|i| &o[i] + &t * &d[i]);
         // Inside: p is on one side of all edges within the plane.
         let n = polygon.vertices.len();
-        let sides: Vec<R> = (0..n)
+        let sides: Vec<Exact> = (0..n)
             .map(|i| {
                 let [a, b] = [i, (i + 1) % n].map(|i| r3(polygon.vertices[i]));
                 dot(&normal, &cross(&minus(&b, &a), &minus(&p, &a)))
             })
             .collect();
-        let inside = sides.iter().all(|s| *s >= zero()) || sides.iter().all(|s| *s <= zero());
-        (inside && t >= zero()).then_some((t, index))
+        let inside = sides.iter().all(|s| *s >= 0) || sides.iter().all(|s| *s <= 0);
+        (inside && t >= 0).then_some((t, index))
     };
     let mut hits: Vec<_> = scene.iter().enumerate().filter_map(hit).collect();
     hits.sort();
@@ -79,8 +57,7 @@ fn check(scene: &[Polygon], line: SightLine) {
         expected.iter().map(|&(_, index)| index).collect::<Vec<_>>()
     );
     for (hit, (t, _)) in found.iter().zip(&expected) {
-        let off = r(hit.t) - t;
-        let off = if off < zero() { -off } else { off };
+        let off = (r(hit.t) - t).abs();
         assert!(off <= t * r(libm::scalbn(1.0, -40)), "{} {t}", hit.t);
     }
 }

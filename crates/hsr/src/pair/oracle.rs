@@ -1,39 +1,18 @@
-//! Two convex polygons compared in rationals, along another way: the rays that bound the region seen through both.
+//! Two convex polygons compared without rounding, along another way: the rays that bound the region seen through both.
 
 use core::cmp::Ordering;
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use ombra_math::glam::{DVec3, DVec4};
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{cross, dot, minus, mix};
 
 use super::Pair;
 use crate::polygon::Polygon;
 
-type Number = BigRational;
-type Vector = [Number; 3];
-
-fn zero() -> Number {
-    Number::from_integer(BigInt::from(0))
-}
+type Vector = [Exact; 3];
 
 pub(super) fn exact(v: DVec3) -> Vector {
-    v.to_array().map(|x| Number::from_float(x).unwrap())
-}
-
-fn dot(a: &Vector, b: &Vector) -> Number {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
-}
-
-fn cross(a: &Vector, b: &Vector) -> Vector {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
-}
-
-fn minus(a: &Vector, b: &Vector) -> Vector {
-    [0, 1, 2].map(|i| &a[i] - &b[i])
-}
-
-fn mix(s: &Number, a: &Vector, t: &Number, b: &Vector) -> Vector {
-    [0, 1, 2].map(|i| s * &a[i] + t * &b[i])
+    ombra_oracle::vector::exact(v).unwrap()
 }
 
 /// What an exact eye sees: sight lines are vectors r, cones of them are bounded by planes through 0.
@@ -54,7 +33,7 @@ impl View {
         let f = axes
             .iter()
             .map(|axis| cross(&e, axis))
-            .find(|f| dot(f, f) != zero())
+            .find(|f| dot(f, f) != 0)
             .unwrap();
         let g = cross(&e, &f);
         Self::Parallel(Box::new([e, f, g]))
@@ -66,26 +45,27 @@ impl View {
             Self::Place(e) => minus(v, e),
             Self::Parallel(axes) => {
                 let [_, f, g] = axes.as_ref();
-                [dot(f, v), dot(g, v), Number::from_integer(BigInt::from(1))]
+                [dot(f, v), dot(g, v), Exact::from(1)]
             }
         }
     }
 
     /// How far from the viewer the plane n·X = c is on the sight line `ray`.
-    fn depth(&self, n: &Vector, c: &Number, ray: &Vector) -> Number {
+    fn depth(&self, n: &Vector, c: &Exact, ray: &Vector) -> Exact {
         match self {
-            Self::Place(e) => (c - dot(n, e)) / dot(n, ray),
+            Self::Place(e) => (c - dot(n, e)).over(&dot(n, ray)).unwrap(),
             Self::Parallel(axes) => {
                 let [e, f, g] = axes.as_ref();
-                let (u, v) = (&ray[0] / &ray[2] / dot(f, f), &ray[1] / &ray[2] / dot(g, g));
-                (dot(n, &mix(&u, f, &v, g)) - c) / dot(n, e)
+                let place = |x: &Exact, axis| x.over(&(&ray[2] * dot(axis, axis))).unwrap();
+                let (u, v) = (place(&ray[0], f), place(&ray[1], g));
+                (dot(n, &mix(&u, f, &v, g)) - c).over(&dot(n, e)).unwrap()
             }
         }
     }
 }
 
 /// The rays of a polygon's corners, turning one way, and its plane n·X = c; `None` seen edge-on.
-fn cone(polygon: &Polygon, view: &View) -> Option<(Vec<Vector>, Vector, Number)> {
+fn cone(polygon: &Polygon, view: &View) -> Option<(Vec<Vector>, Vector, Exact)> {
     let vertices: Vec<Vector> = polygon.vertices.iter().map(|&v| exact(v)).collect();
     let n = cross(
         &minus(&vertices[1], &vertices[0]),
@@ -93,7 +73,7 @@ fn cone(polygon: &Polygon, view: &View) -> Option<(Vec<Vector>, Vector, Number)>
     );
     let c = dot(&n, &vertices[0]);
     let mut rays: Vec<Vector> = vertices.iter().map(|v| view.ray(v)).collect();
-    match dot(&cross(&rays[0], &rays[1]), &rays[2]).cmp(&zero()) {
+    match dot(&cross(&rays[0], &rays[1]), &rays[2]).sign() {
         Ordering::Equal => return None,
         Ordering::Less => rays.reverse(),
         Ordering::Greater => {}
@@ -107,11 +87,11 @@ fn cut(rays: &[Vector], n: &Vector) -> Vec<Vector> {
     for (i, a) in rays.iter().enumerate() {
         let b = &rays[(i + 1) % rays.len()];
         let (s, t) = (dot(n, a), dot(n, b));
-        if s >= zero() {
+        if s >= 0 {
             kept.push(a.clone());
         }
-        if &s * &t < zero() {
-            let (s, t) = if s > zero() { (s, -t) } else { (-s, t) };
+        if &s * &t < 0 {
+            let (s, t) = if s > 0 { (s, -t) } else { (-s, t) };
             kept.push(mix(&t, a, &s, b));
         }
     }
@@ -132,7 +112,7 @@ pub(super) fn compare(first: &Polygon, second: &Polygon, eye: DVec4) -> Pair {
     let solid = shared.iter().enumerate().any(|(i, a)| {
         shared[..i].iter().enumerate().any(|(j, b)| {
             let n = cross(a, b);
-            shared[..j].iter().any(|c| dot(&n, c) != zero())
+            shared[..j].iter().any(|c| dot(&n, c) != 0)
         })
     });
     if !solid {

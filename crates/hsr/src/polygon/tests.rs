@@ -1,8 +1,8 @@
 use super::*;
 use core::f64::consts::TAU;
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
 use ombra_math::glam::DQuat;
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{cross, dot, exact, minus};
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 
@@ -273,13 +273,8 @@ fn a_needle_has_a_plane_however_thin_and_wherever_it_is() {
     }
 }
 
-/// Each of the doubles exactly.
-fn rational(v: DVec3) -> [BigRational; 3] {
-    v.to_array().map(|x| BigRational::from_float(x).unwrap())
-}
-
 proptest! {
-    /// Against rationals: n = 3 … 5, on any plane, also thin ones and ones far from the origin.
+    /// Against exact numbers: n = 3 … 5, on any plane, also thin ones and ones far from the origin.
     #[test]
     fn area_and_centre_are_within_their_bounds(
         corner in prop::array::uniform3(-4.0..4.0),
@@ -296,32 +291,27 @@ proptest! {
         let vertices: Vec<_> = order[..n].iter().map(|&i| first + outline[i]).collect();
         let polygon = Polygon { vertices };
         let m = polygon.scale();
-        let at: Vec<_> = polygon.vertices.iter().map(|&v| rational(v)).collect();
-        let from_first = |i: usize| [0, 1, 2].map(|k| &at[i][k] - &at[0][k]);
-        let zero = || BigRational::from_integer(0.into());
-        let crosses: Vec<[BigRational; 3]> = (1..n - 1).map(|i| {
-            let (a, b) = (from_first(i), from_first(i + 1));
-            [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
-        }).collect();
-        let whole = [0, 1, 2].map(|k| crosses.iter().fold(zero(), |sum, c| sum + &c[k]));
-        let dot = |a: &[BigRational; 3], b: &[BigRational; 3]| (0..3).map(|k| &a[k] * &b[k]).fold(zero(), |s, x| s + x);
+        let at: Vec<_> = polygon.vertices.iter().map(|&v| exact(v).unwrap()).collect();
+        let from_first = |i: usize| minus(&at[i], &at[0]);
+        let crosses: Vec<_> = (1..n - 1).map(|i| cross(&from_first(i), &from_first(i + 1))).collect();
+        let whole = [0, 1, 2].map(|k| crosses.iter().map(|c| &c[k]).sum::<Exact>());
         // 4 A² exactly; (A − bound)² ≤ A² ≤ (A + bound)².
         let square = dot(&whole, &whole);
         let bound = 8.0 * n as f64 * f64::EPSILON * m * m;
-        let twice = |x: f64| BigRational::from_float(2.0 * x).unwrap();
+        let twice = |x: f64| Exact::new(2.0 * x).unwrap();
         let (low, high) = (twice((polygon.area() - bound).max(0.0)), twice(polygon.area() + bound));
-        prop_assert!(&low * &low <= square && square <= &high * &high);
-        if square > zero() && let Some(centre) = polygon.centroid() {
-            let area = square.to_f64().unwrap().sqrt() / 2.0;
+        prop_assert!(low.squared() <= square && square <= high.squared());
+        if square > 0 && let Some(centre) = polygon.centroid() {
+            let area = square.nearest().sqrt() / 2.0;
             let bound = 16.0 * n as f64 * f64::EPSILON * m * m * m / area;
             let weight: Vec<_> = crosses.iter().map(|c| dot(c, &whole)).collect();
-            let sum = weight.iter().fold(zero(), |s, w| s + w);
+            let thrice = weight.iter().sum::<Exact>() * Exact::from(3);
             for k in 0..3 {
-                let moment = weight.iter().enumerate().fold(zero(), |s, (i, w)| {
-                    s + w * (from_first(i + 1)[k].clone() + &from_first(i + 2)[k])
-                });
-                let exact = &at[0][k] + moment / &sum / BigRational::from_integer(3.into());
-                let off = (BigRational::from_float(centre[k]).unwrap() - exact).to_f64().unwrap();
+                let moment: Exact = weight.iter().enumerate().map(|(i, w)| {
+                    w * (&from_first(i + 1)[k] + &from_first(i + 2)[k])
+                }).sum();
+                let exact = &at[0][k] + moment.over(&thrice).unwrap();
+                let off = (Exact::new(centre[k]).unwrap() - exact).nearest();
                 prop_assert!(off.abs() <= bound, "{off} {bound}");
             }
         }

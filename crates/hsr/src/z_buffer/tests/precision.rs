@@ -1,61 +1,66 @@
 //! The formula of precision against what is stored and what is drawn.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
+use ombra_oracle::Exact;
 
 use super::*;
 use crate::z_buffer::precision::{depth_at, depth_step, fighting_distance, separable_distance};
 
-type R = BigRational;
-
-fn r(x: f64) -> R {
-    R::from_float(x).unwrap()
+fn r(x: f64) -> Exact {
+    Exact::new(x).unwrap()
 }
 
-fn int(x: i32) -> R {
-    R::from_integer(BigInt::from(x))
+fn quotient(x: &Exact, y: &Exact) -> Exact {
+    x.over(y).unwrap()
 }
 
-/// A perspective view in rationals; 1 / far, which may be 0.
+/// 1 + `roundings` ε.
+fn about_1(roundings: f64) -> Exact {
+    Exact::from(1) + r(roundings * f64::EPSILON)
+}
+
+/// A perspective view without rounding; 1 / far, which may be 0.
 #[derive(Debug)]
-struct Exact {
-    near: R,
-    inverse_far: R,
+struct Volume {
+    near: Exact,
+    inverse_far: Exact,
 }
 
-impl Exact {
+impl Volume {
     fn new(near: f64, far: f64) -> Self {
-        let inverse_far = if far < f64::INFINITY {
-            r(far).recip()
-        } else {
-            int(0)
-        };
+        let inverse_far =
+            Exact::new(far).map_or(Exact::ZERO, |far| quotient(&Exact::from(1), &far));
         let near = r(near);
         Self { near, inverse_far }
     }
 
     /// (f − n) / f.
-    fn share(&self) -> R {
-        int(1) - &self.near * &self.inverse_far
+    fn share(&self) -> Exact {
+        Exact::from(1) - &self.near * &self.inverse_far
     }
 
-    fn depth(&self, distance: &R) -> R {
-        (int(1) - &self.near / distance) / self.share()
+    fn depth(&self, distance: &Exact) -> Exact {
+        quotient(
+            &(Exact::from(1) - quotient(&self.near, distance)),
+            &self.share(),
+        )
     }
 
-    fn value<F: DepthFormat>(&self, distance: &R) -> R {
+    fn value<F: DepthFormat>(&self, distance: &Exact) -> Exact {
         let depth = self.depth(distance);
-        if F::REVERSED { int(1) - depth } else { depth }
+        if F::REVERSED {
+            Exact::from(1) - depth
+        } else {
+            depth
+        }
     }
 
     /// The step where stored values are `spacing` apart.
-    fn step(&self, distance: &R, spacing: &R) -> R {
-        spacing * distance * distance / &self.near * self.share()
+    fn step(&self, distance: &Exact, spacing: &Exact) -> Exact {
+        quotient(&(spacing * distance.squared() * self.share()), &self.near)
     }
 
     /// The spacings that a value within 2½ ε of the true one may have: two beside a power of two.
-    fn spacings<F: DepthFormat>(&self, distance: &R) -> [R; 2] {
+    fn spacings<F: DepthFormat>(&self, distance: &Exact) -> [Exact; 2] {
         let value = self.value::<F>(distance);
         // 24 bits are 24 ones below; f32 is all powers of two.
         let bits = match F::NAME {
@@ -64,19 +69,15 @@ impl Exact {
             _ => None,
         };
         [-3.0, 3.0].map(|roundings| match bits {
-            Some(bits) => (R::from_integer(BigInt::from(1) << bits) - int(1)).recip(),
-            None => r(F::spacing(
-                (&value * (int(1) + r(roundings * f64::EPSILON)))
-                    .to_f64()
-                    .unwrap(),
-            )),
+            Some(bits) => quotient(&Exact::from(1), &Exact::from((1 << bits) - 1)),
+            None => r(F::spacing((&value * about_1(roundings)).nearest())),
         })
     }
 }
 
 /// `bound` in ε, and half of the smallest double.
-fn is_within(found: f64, exact: &R, bound: f64) -> bool {
-    let slack = exact.abs() * r(bound * f64::EPSILON) + r(f64::from_bits(1)) / int(2);
+fn is_within(found: f64, exact: &Exact, bound: f64) -> bool {
+    let slack = exact.abs() * r(bound * f64::EPSILON) + Exact::power_of_two(-1075);
     found.is_finite() && (r(found) - exact).abs() <= slack
 }
 
@@ -105,12 +106,12 @@ fn volumes() -> impl Strategy<Value = [f64; 3]> {
 }
 
 fn check_step<F: DepthFormat>([near, far, distance]: [f64; 3]) -> Result<(), TestCaseError> {
-    let exact = Exact::new(near, far);
+    let exact = Volume::new(near, far);
     let z = r(distance);
     let found = depth_step::<F>(near, far, distance).unwrap();
     let fits = exact.spacings::<F>(&z).iter().any(|spacing| {
         let step = exact.step(&z, spacing);
-        is_within(found, &step, 3.5) || (step > r(f64::MAX) && found == f64::INFINITY)
+        is_within(found, &step, 3.5) || (step > f64::MAX && found == f64::INFINITY)
     });
     prop_assert!(fits, "{}: {:e}", F::NAME, found);
     Ok(())
@@ -118,8 +119,8 @@ fn check_step<F: DepthFormat>([near, far, distance]: [f64; 3]) -> Result<(), Tes
 
 /// Before the answer no step is as large as the gap, and there one is: for a gap a few roundings off.
 fn check_fight<F: DepthFormat>([near, far, _]: [f64; 3], gap: f64) -> Result<(), TestCaseError> {
-    let exact = Exact::new(near, far);
-    let greatest_step = |z: &R| {
+    let exact = Volume::new(near, far);
+    let greatest_step = |z: &Exact| {
         let steps = exact
             .spacings::<F>(z)
             .map(|spacing| exact.step(z, &spacing));
@@ -127,17 +128,20 @@ fn check_fight<F: DepthFormat>([near, far, _]: [f64; 3], gap: f64) -> Result<(),
     };
     let name = F::NAME;
     let found = fighting_distance::<F>(near, far, gap);
-    let nearly = |gap: f64, roundings: f64| r(gap) * (int(1) + r(roundings * f64::EPSILON));
+    let nearly = |gap: f64, roundings: f64| r(gap) * about_1(roundings);
     // The step grows with the distance; only reversed it falls by half where the value falls below a power of two. There,
     // before `end`, it may be the greatest: the two powers for which it is, by rounded logarithms.
-    let turns = |end: &R| -> Vec<R> {
+    let turns = |end: &Exact| -> Vec<Exact> {
         let mut powers: Vec<i32> = (-149..0).filter(|_| F::REVERSED).collect();
         let at = |e: i32| {
             let value = r(libm::scalbn(1.0, e));
-            let depth = int(1) - &value;
-            &exact.near / (value + depth * &exact.near * &exact.inverse_far)
+            let depth = Exact::from(1) - &value;
+            quotient(
+                &exact.near,
+                &(value + depth * &exact.near * &exact.inverse_far),
+            )
         };
-        let end_log = libm::log2(end.to_f64().unwrap());
+        let end_log = libm::log2(end.nearest());
         let log = |e: i32| libm::log2(near) - libm::log2(libm::scalbn(1.0, e) + near / far);
         powers.retain(|&e| log(e) < end_log);
         powers.sort_by(|&a, &b| {
@@ -145,19 +149,19 @@ fn check_fight<F: DepthFormat>([near, far, _]: [f64; 3], gap: f64) -> Result<(),
             key(b).total_cmp(&key(a))
         });
         let places = powers.into_iter().take(2).map(at);
-        let places = places.flat_map(|z| [-6.0, 6.0].map(|k| &z * (int(1) + r(k * f64::EPSILON))));
+        let places = places.flat_map(|z| [-6.0, 6.0].map(|k| &z * about_1(k)));
         let before = places.filter(|z| *z >= exact.near && z < end);
         before.chain([end.clone()]).collect()
     };
     let end = match found {
         Some(z) => {
             prop_assert!((near..=far).contains(&z));
-            let places = [-5.0, 0.0, 5.0].map(|k| r(z) * (int(1) + r(k * f64::EPSILON)));
+            let places = [-5.0, 0.0, 5.0].map(|k| r(z) * about_1(k));
             let greatest = places.iter().map(greatest_step).max().unwrap();
             prop_assert!(greatest >= nearly(gap, -12.0), "{}: not at {:e}", name, z);
-            (r(z) * (int(1) - r(5.0 * f64::EPSILON))).max(exact.near.clone())
+            (r(z) * about_1(-5.0)).max(exact.near.clone())
         }
-        None if far < f64::INFINITY => r(far) * (int(1) - r(5.0 * f64::EPSILON)),
+        None if far < f64::INFINITY => r(far) * about_1(-5.0),
         None => r(f64::MAX),
     };
     if end <= exact.near {
@@ -173,7 +177,7 @@ fn check_fight<F: DepthFormat>([near, far, _]: [f64; 3], gap: f64) -> Result<(),
             "{}: {:?}, but at {:?}",
             name,
             found,
-            z.to_f64()
+            z.nearest()
         );
     }
     Ok(())
@@ -183,7 +187,7 @@ proptest! {
     #[test]
     fn depths_keep_their_digits_in_every_volume(volume in volumes()) {
         let [near, far, distance] = volume;
-        let exact = Exact::new(near, far).depth(&r(distance));
+        let exact = Volume::new(near, far).depth(&r(distance));
         let found = depth_at(near, far, distance).unwrap();
         prop_assert!(is_within(found, &exact, 2.5), "{:e}", found);
         prop_assert!((0.0..=1.0).contains(&found));
@@ -218,7 +222,7 @@ fn thin_volumes() {
     assert_eq!(depth_at(near, f64::INFINITY, f64::MAX), Some(1.0));
     let middle = 0.5 * (near + far);
     let found = depth_at(near, far, middle).unwrap();
-    let exact = Exact::new(near, far).depth(&r(middle));
+    let exact = Volume::new(near, far).depth(&r(middle));
     assert!(is_within(found, &exact, 2.5), "{found}");
     // 65 535 steps from end to end.
     let step = depth_step::<Depth16>(near, far, middle).unwrap();
