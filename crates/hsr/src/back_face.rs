@@ -11,11 +11,13 @@
 use core::cmp::Ordering;
 
 use ombra_math::camera::Camera;
-use ombra_math::exact::{Sum, dot};
+use ombra_math::exact::dot;
 use ombra_math::glam::{DVec2, DVec3, DVec4};
-use ombra_math::homogeneous::{direction, project};
+use ombra_math::homogeneous::direction;
 use ombra_math::mesh::Mesh;
 use ombra_math::predicates::{orient_2d, orient_3d};
+
+use crate::pair::Eye;
 
 /// Whether a face with this normal may be seen.
 ///
@@ -106,18 +108,9 @@ pub fn is_front_facing(normal: DVec3, towards_viewer: DVec3) -> bool {
 /// As [`is_front_facing`].
 #[must_use]
 pub fn visible(mesh: &Mesh, eye: DVec4) -> Vec<usize> {
-    let place = if eye.w == 1.0 {
-        Some(eye.truncate())
-    } else {
-        project(eye)
-    };
-    let towards = eye.truncate();
-    let side = |[a, b, c]: [DVec3; 3]| match place {
-        Some(place) => orient_3d(a, b, c, place),
-        None if eye.w == 0.0 && towards != DVec3::ZERO => facing([a, b, c], towards),
-        None => None,
-    };
-    kept(mesh, side)
+    let eye = Eye::new(eye);
+    // The sign of (AB × AC)·AE, or of (AB × AC)·v.
+    kept(mesh, |[a, b, c]| eye?.turn(a, b, c))
 }
 
 /// Whether a triangle of the picture may be seen, by its signed area: its corners in pixels, y down, run clockwise.
@@ -198,18 +191,6 @@ pub fn visible_on_screen(mesh: &Mesh, camera: &Camera) -> Vec<usize> {
 fn clip_space_side(corners: [DVec4; 3]) -> Option<Ordering> {
     let [a, b, c] = corners.map(|p| DVec3::new(p.x, p.y, p.w));
     orient_3d(a, b, c, DVec3::ZERO).map(Ordering::reverse)
-}
-
-/// Where `towards` points from the plane of a triangle: the sign of (AB × AC)·v, multiplied out.
-fn facing([a, b, c]: [DVec3; 3], towards: DVec3) -> Option<Ordering> {
-    let mut sum = Sum::default();
-    for [p, q] in [[a, b], [b, c], [c, a]] {
-        for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
-            sum.add([towards[i], p[j], q[k]]);
-            sum.add([-towards[i], p[k], q[j]]);
-        }
-    }
-    sum.sign()
 }
 
 fn kept(mesh: &Mesh, side: impl Fn([DVec3; 3]) -> Option<Ordering>) -> Vec<usize> {

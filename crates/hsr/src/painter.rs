@@ -20,8 +20,9 @@
 #![doc(alias = "depth sort")]
 
 use ombra_math::glam::DVec4;
-use ombra_math::work::Count;
+use ombra_math::work::{Count, Counter};
 
+use crate::pair::{Pair, Seen, compare_seen};
 use crate::polygon::Polygon;
 
 mod cut;
@@ -29,7 +30,6 @@ mod cycle;
 mod divide;
 mod extent;
 mod fast;
-mod pairs;
 mod piece;
 #[cfg(test)]
 mod tests;
@@ -59,7 +59,7 @@ pub fn order_plain(
     sorted.sort_by(farther);
     // What each hides, the farthest first.
     let mut hidden_by = vec![Vec::new(); polygons.len()];
-    for [front, back] in pairs::hiding_pairs(polygons, eye, work) {
+    for [front, back] in hiding_pairs_plain(polygons, eye, work) {
         hidden_by[front].push(back);
     }
     for hidden in &mut hidden_by {
@@ -243,11 +243,39 @@ pub fn order_by_cutting(polygons: &[Polygon], eye: DVec4) -> Vec<(usize, Polygon
 /// Grafica 3, «Rimozione delle Superfici Nascoste»: nearer objects hide farther ones, in whole or in part.
 #[must_use]
 pub fn hiding_pairs(polygons: &[Polygon], eye: DVec4) -> Vec<[usize; 2]> {
-    pairs::hiding_pairs(polygons, eye, &mut ())
+    hiding_pairs_plain(polygons, eye, &mut ())
+}
+
+/// [`hiding_pairs`], counting the pairs compared: k (k − 1) / 2.
+#[must_use]
+pub fn hiding_pairs_plain(
+    polygons: &[Polygon],
+    eye: DVec4,
+    work: &mut impl Count,
+) -> Vec<[usize; 2]> {
+    let seen: Vec<_> = polygons.iter().map(|p| Seen::new(p, eye)).collect();
+    let mut pairs = Vec::new();
+    for (i, first) in seen.iter().enumerate() {
+        for (j, second) in seen.iter().enumerate().skip(i + 1) {
+            work.add(Counter::Pairs, 1);
+            let pair = match (first, second) {
+                (Some(first), Some(second)) => compare_seen(first, second),
+                _ => Pair::Apart,
+            };
+            if pair.first_hides() {
+                pairs.push([i, j]);
+            }
+            if pair.second_hides() {
+                pairs.push([j, i]);
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs
 }
 
 /// The same answers, each counting its work.
 pub mod counted {
     pub use super::fast::{order, order_by_cutting};
-    pub use super::pairs::hiding_pairs;
+    pub use super::hiding_pairs_plain as hiding_pairs;
 }

@@ -19,7 +19,7 @@ mod rings;
 mod seen;
 
 pub use cut_plane::CutPlane;
-use eye::Eye;
+pub(crate) use eye::Eye;
 pub(crate) use outline::convex;
 pub(crate) use rings::rings;
 pub use seen::Seen;
@@ -48,6 +48,16 @@ impl Pair {
             Self::SecondNearer => Self::FirstNearer,
             same => same,
         }
+    }
+
+    /// Whether the first, submitted before the second, hides some of it: of equal depths the first is seen.
+    pub(crate) fn first_hides(self) -> bool {
+        matches!(self, Self::FirstNearer | Self::Crossing | Self::Coplanar)
+    }
+
+    /// Whether the second, submitted after the first, hides some of it.
+    pub(crate) fn second_hides(self) -> bool {
+        matches!(self, Self::SecondNearer | Self::Crossing)
     }
 }
 

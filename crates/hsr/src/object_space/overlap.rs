@@ -64,22 +64,18 @@ pub(super) fn overlaps(seen: &[Option<Seen>], work: &mut impl Count) -> Vec<Vec<
 
 /// Finds the knots; `clinging` are the pairs that nearly lie in each other.
 fn tie(overlaps: &mut [Vec<Overlap>], clinging: &[[usize; 2]]) {
-    let rings = rings(&hidden_by_each(overlaps));
-    let ring_of = |i: usize| rings.get(i).copied();
-    let mut members = vec![0; rings.len()];
-    for &ring in &rings {
+    let ring = rings(&hidden_by_each(overlaps));
+    let mut members = vec![0; ring.len()];
+    for &ring in &ring {
         members[ring] += 1;
     }
-    let mut is_knot = vec![false; rings.len()];
+    let mut is_knot = vec![false; ring.len()];
     for &[i, j] in clinging {
-        if let Some(ring) = ring_of(i).filter(|&ring| ring_of(j) == Some(ring)) {
-            is_knot[ring] = members[ring] > 2;
-        }
+        is_knot[ring[i]] |= ring[i] == ring[j] && members[ring[i]] > 2;
     }
     for (j, overlaps) in overlaps.iter_mut().enumerate() {
         for overlap in overlaps {
-            let ring = ring_of(overlap.with).filter(|&ring| ring_of(j) == Some(ring));
-            overlap.is_knotted = ring.is_some_and(|ring| is_knot[ring]);
+            overlap.is_knotted = ring[overlap.with] == ring[j] && is_knot[ring[j]];
         }
     }
 }
@@ -89,10 +85,10 @@ fn hidden_by_each(overlaps: &[Vec<Overlap>]) -> Vec<Vec<usize>> {
     let mut hides = vec![Vec::new(); overlaps.len()];
     for (j, overlaps) in overlaps.iter().enumerate() {
         for &Overlap { with: i, pair, .. } in overlaps {
-            if pair != Pair::SecondNearer {
+            if pair.first_hides() {
                 hides[i].push(j);
             }
-            if matches!(pair, Pair::SecondNearer | Pair::Crossing) {
+            if pair.second_hides() {
                 hides[j].push(i);
             }
         }

@@ -7,7 +7,6 @@ use ombra_math::work::Count;
 
 use super::extent::View;
 use super::piece::{Knife, Piece};
-use crate::pair::Pair;
 use crate::polygon::Polygon;
 
 /// The planes of the primitives, and what pieces are seen from.
@@ -44,17 +43,15 @@ impl<'a> Planes<'a> {
         work: &mut impl Count,
     ) -> Option<(usize, [Piece<'a>; 2])> {
         let n = ring.len();
-        let knives: Vec<_> = ring.iter().map(|p| self.knife(p.source)).collect();
-        let at = |i: usize| ring.get(i % n).copied();
+        let knife = |i: usize| self.knife(ring[i % n].source);
         let steps = (1..n).map(|k| if k % 2 == 1 { k.div_ceil(2) } else { n - k / 2 });
         let mut any = None;
         for step in steps {
             for i in 0..n {
-                let (before, piece, after) = (at(i + n - 1)?, at(i)?, at(i + 1)?);
-                let (knife, own) = (knives.get((i + step) % n)?, knives.get(i)?);
-                let halves = knife
-                    .zip(*own)
-                    .and_then(|(knife, own)| piece.cut(knife, own, self.eye, &self.view));
+                let (before, after) = (ring[(i + n - 1) % n], ring[(i + 1) % n]);
+                let both = knife(i + step).zip(knife(i));
+                let halves =
+                    both.and_then(|(knife, own)| ring[i].cut(knife, own, self.eye, &self.view));
                 let Some(halves) = halves else { continue };
                 let mut closes =
                     |half: &Piece| self.hides(before, half, work) && self.hides(half, after, work);
@@ -69,14 +66,12 @@ impl<'a> Planes<'a> {
 
     /// The plane of a primitive.
     pub(super) fn knife(&self, source: usize) -> Option<&Knife> {
-        let polygon = self.polygons.get(source)?;
-        let knife = || Knife::new(source, polygon, self.eye);
-        self.knives.get(source)?.get_or_init(knife).as_ref()
+        let knife = || Knife::new(source, &self.polygons[source], self.eye);
+        self.knives[source].get_or_init(knife).as_ref()
     }
 
     /// Whether a piece hides part of another.
     pub(super) fn hides(&self, front: &Piece, back: &Piece, work: &mut impl Count) -> bool {
-        let pair = front.compare(back, self.eye, work);
-        matches!(pair, Pair::FirstNearer | Pair::Crossing)
+        front.compare(back, self.eye, work).first_hides()
     }
 }

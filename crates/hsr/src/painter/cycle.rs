@@ -72,7 +72,7 @@ pub(super) fn ring_on<'a>(path: &[usize], hides: impl Fn(usize) -> &'a [usize]) 
     };
     let edges: Vec<Vec<usize>> = path.iter().map(on_path).collect();
     let ring = without_shortcuts(&edges).into_iter();
-    ring.filter_map(|i| path.get(i).copied()).collect()
+    ring.map(|i| path[i]).collect()
 }
 
 /// The members of a ring without shortcuts among 0 … n − 1, of which each hides the next and the last hides 0;
@@ -87,31 +87,28 @@ fn without_shortcuts(hides: &[Vec<usize>]) -> Vec<usize> {
     let mut queue = VecDeque::from([0]);
     let mut ring = Vec::new();
     'search: while let Some(a) = queue.pop_front() {
-        for &b in hides.get(a).into_iter().flatten() {
+        for &b in &hides[a] {
             if b == 0 {
                 ring.push(a);
                 break 'search;
             }
-            if let Some(slot @ None) = from.get_mut(b) {
-                *slot = Some(a);
+            if from[b].is_none() {
+                from[b] = Some(a);
                 queue.push_back(b);
             }
         }
     }
-    while let Some(before) = ring.last().and_then(|&a| from.get(a).copied().flatten()) {
+    while let Some(before) = ring.last().and_then(|&a| from[a]) {
         ring.push(before);
     }
     ring.reverse();
     let mut place = vec![None; hides.len()];
     for (i, &a) in ring.iter().enumerate() {
-        if let Some(slot) = place.get_mut(a) {
-            *slot = Some(i);
-        }
+        place[a] = Some(i);
     }
     let mut best = (0, ring.len().saturating_sub(1));
     for (i, &a) in ring.iter().enumerate() {
-        let back = hides.get(a).into_iter().flatten();
-        for j in back.filter_map(|&b| place.get(b).copied().flatten()) {
+        for j in hides[a].iter().filter_map(|&b| place[b]) {
             if j < i && i - j < best.1 - best.0 {
                 best = (j, i);
             }

@@ -17,7 +17,7 @@ use ombra_math::work::{Count, Counter};
 use super::cut::Planes;
 use super::piece::{Knife, Piece};
 use super::tree::Tree;
-use crate::pair::{Pair, rings};
+use crate::pair::rings;
 use crate::polygon::Polygon;
 
 /// Planes tried for a division.
@@ -141,25 +141,18 @@ fn divided<'a>(planes: &Planes<'a>, group: Group<'a>, knife: &Knife) -> [Group<'
 
 /// The pieces by what hides what: knots of which each piece leads to all others of it, the nearest first.
 fn knots<'a>(planes: &Planes<'a>, pieces: Vec<Piece<'a>>, work: &mut impl Count) -> Vec<Group<'a>> {
-    let ring = rings(&hidden_by_each(planes, &pieces, work));
-    let mut numbered: Vec<_> = ring.into_iter().zip(pieces).collect();
-    numbered.sort_by_key(|(ring, _)| *ring);
-    let mut knots = Vec::new();
-    let mut last = None;
-    for (ring, mut piece) in numbered {
+    let rings = rings(&hidden_by_each(planes, &pieces, work));
+    let mut knots: Vec<Vec<Piece>> = pieces.iter().map(|_| Vec::new()).collect();
+    for (ring, mut piece) in rings.into_iter().zip(pieces) {
         piece.forget_sight();
-        if last.replace(ring) != Some(ring) {
-            knots.push(Group {
-                pieces: Vec::new(),
-                knot: 0,
-            });
-        }
-        if let Some(knot) = knots.last_mut() {
-            knot.pieces.push(piece);
-            knot.knot += 1;
-        }
+        knots[ring].push(piece);
     }
-    knots
+    knots.retain(|pieces| !pieces.is_empty());
+    let knot = |pieces: Vec<_>| Group {
+        knot: pieces.len(),
+        pieces,
+    };
+    knots.into_iter().map(knot).collect()
 }
 
 /// What each piece hides.
@@ -170,17 +163,17 @@ fn hidden_by_each(planes: &Planes, pieces: &[Piece], work: &mut impl Count) -> V
     for (i, piece) in pieces.iter().enumerate() {
         let Some(extent) = piece.extent else { continue };
         for j in tree.may_be_hidden(&extent, work) {
-            let Some(other) = pieces.get(j) else { continue };
+            let other = &pieces[j];
             // Found both ways, they are compared once.
             let is_found_again = other.extent.is_some_and(|e| extent.farthest >= e.nearest);
             if i == j || (j < i && is_found_again) {
                 continue;
             }
             let pair = piece.compare(other, planes.eye, work);
-            if matches!(pair, Pair::FirstNearer | Pair::Crossing) {
+            if pair.first_hides() {
                 hides[i].push(j);
             }
-            if matches!(pair, Pair::SecondNearer | Pair::Crossing) {
+            if pair.second_hides() {
                 hides[j].push(i);
             }
         }

@@ -1,8 +1,9 @@
 //! Where a primitive lies as seen from the eye, as a box: primitives whose boxes are apart need no comparison.
 
 use ombra_math::glam::{DVec3, DVec4};
-use ombra_math::homogeneous::project;
+use ombra_math::scaling::normalised;
 
+use crate::pair::Eye;
 use crate::polygon::Polygon;
 
 /// What distances and directions are measured from.
@@ -62,18 +63,14 @@ impl Extent {
 
 impl View {
     pub(super) fn of(eye: DVec4) -> Self {
-        if eye.w != 0.0 {
-            return project(eye).map_or(Self::Nowhere, Self::Place);
-        }
-        let towards = eye.truncate();
-        if !towards.is_finite() || towards == DVec3::ZERO {
-            return Self::Nowhere;
-        }
-        let towards = unit(towards);
-        let (right, up) = towards.any_orthonormal_pair();
-        Self::Parallel {
-            towards,
-            across: [right, up],
+        match Eye::new(eye) {
+            None => Self::Nowhere,
+            Some(Eye::Place(at)) => Self::Place(at),
+            Some(Eye::Towards(towards)) => {
+                let towards = unit(towards);
+                let across = towards.any_orthonormal_pair().into();
+                Self::Parallel { towards, across }
+            }
         }
     }
 
@@ -92,8 +89,7 @@ impl View {
 
     /// The distance that is sorted by, infinite for a primitive that has none.
     pub(super) fn distance(&self, polygon: &Polygon) -> f64 {
-        self.extent(polygon)
-            .map_or(f64::INFINITY, |extent| extent.distance)
+        self.extent(polygon).map_or(f64::INFINITY, |e| e.distance)
     }
 }
 
@@ -188,13 +184,8 @@ fn unit(v: DVec3) -> DVec3 {
 
 /// ‖v‖ at every exponent, the same for all orders and signs of the coordinates.
 fn length(v: DVec3) -> f64 {
-    let largest = v.abs().max_element();
-    if largest == 0.0 {
-        return 0.0;
-    }
-    let exponent = libm::ilogb(largest);
-    let mut squares = v.to_array().map(|x| libm::scalbn(x, -exponent));
-    squares.iter_mut().for_each(|x| *x *= *x);
+    let (shares, exponent) = normalised(v.to_array());
+    let mut squares = shares.map(|x| x * x);
     squares.sort_by(f64::total_cmp);
     libm::scalbn(squares.iter().sum::<f64>().sqrt(), exponent)
 }

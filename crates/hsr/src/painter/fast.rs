@@ -1,6 +1,6 @@
 //! The depth sort: the farthest first, unless it hides what is not painted yet; and what to do about a ring.
 
-use core::cmp::Ordering;
+use core::cmp::{Ordering, Reverse};
 use std::collections::{BinaryHeap, HashMap};
 
 use ombra_math::glam::DVec4;
@@ -135,54 +135,33 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
     /// The order of pieces: each ring is opened by a cut, as long as there are few of them and a plane cuts one.
     pub(super) fn by_cutting(mut self, most: usize) -> Vec<(usize, Polygon)> {
         let mut cuts = 0;
-        while let Some(ring) = self.paint_until_ring() {
-            let pieces: Vec<_> = ring.iter().filter_map(|&i| self.pieces.get(i)).collect();
-            let cut = if cuts < most {
-                self.planes.cut(&pieces, self.work)
-            } else {
-                None
+        while let Some(ring) = self.paint_until_ring()
+            && cuts < most
+        {
+            let pieces: Vec<_> = ring.iter().map(|&i| &self.pieces[i]).collect();
+            let Some((i, halves)) = self.planes.cut(&pieces, self.work) else {
+                break;
             };
-            match cut.and_then(|(i, halves)| Some((*ring.get(i)?, halves))) {
-                Some((piece, halves)) => self.replace(piece, halves),
-                None => break,
-            }
+            self.replace(ring[i], halves);
             cuts += 1;
         }
-        let Self {
-            planes,
-            mut pieces,
-            states,
-            painted,
-            work,
-            ..
-        } = self;
-        let mut take = |i: usize| pieces.get_mut(i).map(core::mem::take);
-        let painted: Vec<Piece> = painted.into_iter().filter_map(&mut take).collect();
-        let is_left =
-            |(_, state): &(usize, &State)| matches!(state, State::Waiting | State::Open(_));
-        let left = states.iter().enumerate().filter(is_left);
-        let mut left: Vec<Piece> = left.filter_map(|(i, _)| take(i)).collect();
+        let mut pieces = self.pieces;
+        let mut take = |i: usize| core::mem::take(&mut pieces[i]);
+        let painted = self.painted.into_iter().map(&mut take);
+        let mut painted: Vec<_> = painted.map(Piece::into_part).collect();
+        let is_left = |&i: &usize| matches!(self.states[i], State::Waiting | State::Open(_));
+        let mut left: Vec<Piece> = (0..self.states.len()).filter(is_left).map(take).collect();
         left.sort_by(|a, b| b.distance().total_cmp(&a.distance()));
-        let painted = painted.into_iter().map(Piece::into_part);
-        painted.chain(by_planes(&planes, left, work)).collect()
-    }
-
-    fn state(&self, piece: usize) -> State {
-        self.states.get(piece).copied().unwrap_or(State::Painted)
-    }
-
-    fn set_state(&mut self, piece: usize, state: State) {
-        if let Some(slot) = self.states.get_mut(piece) {
-            *slot = state;
-        }
+        painted.extend(by_planes(&self.planes, left, self.work));
+        painted
     }
 
     /// Paints all, or up to a ring of which each hides the next. Then the last step's next hidden one is on the path.
     fn paint_until_ring(&mut self) -> Option<Vec<usize>> {
         loop {
-            let Some(step) = self.path.last() else {
+            let Some(step) = self.path.last_mut() else {
                 let next = self.sorted.pop()?.piece;
-                if let State::Waiting = self.state(next) {
+                if let State::Waiting = self.states[next] {
                     self.open(next);
                 }
                 continue;
@@ -191,8 +170,8 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
                 self.paint_last();
                 continue;
             };
-            match self.state(hidden) {
-                State::Painted => self.skip(),
+            match self.states[hidden] {
+                State::Painted => step.done += 1,
                 State::Waiting => self.open(hidden),
                 State::Cut(halves) => self.hide_instead(halves),
                 State::Open(start) => return Some(self.ring_from(start)),
@@ -203,19 +182,10 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
     /// Paints the last piece of the path.
     fn paint_last(&mut self) {
         if let Some(step) = self.path.pop() {
-            self.set_state(step.piece, State::Painted);
+            self.states[step.piece] = State::Painted;
             self.tree.remove(step.piece);
             self.painted.push(step.piece);
-            if let Some(piece) = self.pieces.get_mut(step.piece) {
-                piece.forget_sight();
-            }
-        }
-    }
-
-    /// Goes on with the next that the last step hides.
-    fn skip(&mut self) {
-        if let Some(step) = self.path.last_mut() {
-            step.done += 1;
+            self.pieces[step.piece].forget_sight();
         }
     }
 
@@ -225,7 +195,7 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
             Some(hides) => hides,
             None => self.find_hidden(piece),
         };
-        self.set_state(piece, State::Open(self.path.len()));
+        self.states[piece] = State::Open(self.path.len());
         self.path.push(Step {
             piece,
             hides,
@@ -235,32 +205,26 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
 
     /// What a piece hides of all that waits, the farthest first.
     fn find_hidden(&mut self, piece: usize) -> Vec<usize> {
-        let extent = self.pieces.get(piece).and_then(|p| p.extent);
-        let others = match extent {
-            Some(extent) => self.tree.may_be_hidden(&extent, self.work),
-            None => Vec::new(),
+        let Some(extent) = self.pieces[piece].extent else {
+            return Vec::new();
         };
-        let mut hidden = Vec::new();
-        for other in others {
-            if self.hides(piece, other) {
-                hidden.extend(self.pieces.get(other).map(|p| Place::of(other, p)));
-            }
-        }
-        hidden.sort_unstable_by(|a, b| b.cmp(a));
-        hidden.into_iter().map(|place| place.piece).collect()
+        let mut hidden = self.tree.may_be_hidden(&extent, self.work);
+        hidden.retain(|&other| self.hides(piece, other));
+        let place = |&i: &usize| Reverse(Place::of(i, &self.pieces[i]));
+        hidden.sort_by_cached_key(place);
+        hidden
     }
 
     fn hides(&mut self, front: usize, back: usize) -> bool {
-        let pair = self.pieces.get(front).zip(self.pieces.get(back));
-        pair.is_some_and(|(front, back)| self.planes.hides(front, back, self.work))
+        let [front, back] = [front, back].map(|i| &self.pieces[i]);
+        self.planes.hides(front, back, self.work)
     }
 
     /// The pieces of the path from `start` on that make a ring.
     fn ring_from(&self, start: usize) -> Vec<usize> {
-        let steps = self.path.get(start..).unwrap_or_default();
-        let path: Vec<usize> = steps.iter().map(|s| s.piece).collect();
-        ring_on(&path, |piece| match self.state(piece) {
-            State::Open(place) => self.path.get(place).map_or(&[], |s| &s.hides),
+        let path: Vec<usize> = self.path[start..].iter().map(|s| s.piece).collect();
+        ring_on(&path, |piece| match self.states[piece] {
+            State::Open(place) => &self.path[place].hides,
             _ => &[],
         })
     }
@@ -272,29 +236,27 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
         };
         let hidden = halves.map(|half| self.hides(front, half).then_some(half));
         if let Some(step) = self.path.last_mut() {
-            let at = step.done..(step.done + 1).min(step.hides.len());
-            step.hides.splice(at, hidden.into_iter().flatten());
+            step.hides
+                .splice(step.done..=step.done, hidden.into_iter().flatten());
         }
     }
 
     /// Ends the path before this place.
     fn take_back(&mut self, place: usize) {
-        if let (0, Some(first)) = (place, self.path.first().map(|s| s.piece)) {
-            // What the path began with was taken out of the sort.
-            self.sorted
-                .extend(self.pieces.get(first).map(|p| Place::of(first, p)));
-        }
-        for step in self.path.drain(place..) {
-            if let Some(state) = self.states.get_mut(step.piece) {
-                *state = State::Waiting;
+        for (i, step) in (place..).zip(self.path.drain(place..)) {
+            if i == 0 {
+                // What the path began with was taken out of the sort.
+                let piece = &self.pieces[step.piece];
+                self.sorted.push(Place::of(step.piece, piece));
             }
+            self.states[step.piece] = State::Waiting;
             self.found.insert(step.piece, step.hides);
         }
     }
 
     /// Puts the halves of a piece in its place. The path is taken back to where it was opened.
     fn replace(&mut self, piece: usize, halves: [Piece<'a>; 2]) {
-        let State::Open(place) = self.state(piece) else {
+        let State::Open(place) = self.states[piece] else {
             return;
         };
         self.take_back(place);
@@ -308,10 +270,8 @@ impl<'a, 'w, C: Count> DepthSort<'a, 'w, C> {
             self.states.push(State::Waiting);
         }
         self.tree.remove(piece);
-        self.set_state(piece, State::Cut([first, first + 1]));
+        self.states[piece] = State::Cut([first, first + 1]);
         // What hides it is still asked about the whole.
-        if let Some(piece) = self.pieces.get_mut(piece) {
-            piece.forget_sight();
-        }
+        self.pieces[piece].forget_sight();
     }
 }

@@ -66,33 +66,23 @@ impl Tree {
         });
         let below = if items.len() <= LEAF {
             for (i, _) in items.iter() {
-                self.put_leaf(*i, number);
+                self.leaf_of[*i] = Some(number);
             }
             Below::Leaf(items.to_vec())
         } else {
             let (near, far) = halve(items);
             Below::Nodes([self.grow(near, Some(number)), self.grow(far, Some(number))])
         };
-        if let Some(node) = self.nodes.get_mut(number) {
-            node.below = below;
-        }
+        self.nodes[number].below = below;
         number
-    }
-
-    fn put_leaf(&mut self, number: usize, leaf: usize) {
-        if self.leaf_of.len() <= number {
-            self.leaf_of.resize(number + 1, None);
-        }
-        if let Some(slot) = self.leaf_of.get_mut(number) {
-            *slot = Some(leaf);
-        }
     }
 
     /// Takes out what is painted or cut.
     pub(super) fn remove(&mut self, number: usize) {
-        let mut at = self.leaf_of.get(number).copied().flatten();
-        while let Some(node) = at.and_then(|i| self.nodes.get_mut(i)) {
-            node.waiting = node.waiting.saturating_sub(1);
+        let mut at = self.leaf_of[number];
+        while let Some(i) = at {
+            let node = &mut self.nodes[i];
+            node.waiting -= 1;
             if let Below::Leaf(items) = &mut node.below {
                 items.retain(|(i, _)| *i != number);
             }
@@ -102,18 +92,18 @@ impl Tree {
 
     /// Puts in a piece of what was numbered `of`, beside it.
     pub(super) fn insert(&mut self, number: usize, extent: Extent, of: usize) {
-        let leaf = self.leaf_of.get(of).copied().flatten();
-        let mut at = leaf;
-        while let Some(node) = at.and_then(|i| self.nodes.get_mut(i)) {
+        self.leaf_of
+            .resize(self.leaf_of.len().max(number + 1), None);
+        self.leaf_of[number] = self.leaf_of[of];
+        let mut at = self.leaf_of[of];
+        while let Some(i) = at {
+            let node = &mut self.nodes[i];
             node.waiting += 1;
             node.extent = node.extent.union(&extent);
             if let Below::Leaf(items) = &mut node.below {
                 items.push((number, extent));
             }
             at = node.parent;
-        }
-        if let Some(leaf) = leaf {
-            self.put_leaf(number, leaf);
         }
     }
 

@@ -11,7 +11,7 @@ use ombra_math::predicates::orient_3d;
 
 /// Where from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Eye {
+pub(crate) enum Eye {
     /// At a place.
     Place(DVec3),
     /// In this direction, infinitely far.
@@ -20,7 +20,7 @@ pub(super) enum Eye {
 
 impl Eye {
     /// `None` for the zero vector and for numbers that are not finite.
-    pub(super) fn new(eye: DVec4) -> Option<Self> {
+    pub(crate) fn new(eye: DVec4) -> Option<Self> {
         if eye.w != 0.0 {
             return project(eye).map(Self::Place);
         }
@@ -34,7 +34,7 @@ impl Eye {
     /// ```text
     /// sign of (AB × AC)·AE,   from a direction e   of (AB × AC)·e
     /// ```
-    pub(super) fn turn(self, a: DVec3, b: DVec3, c: DVec3) -> Option<Ordering> {
+    pub(crate) fn turn(self, a: DVec3, b: DVec3, c: DVec3) -> Option<Ordering> {
         match self {
             Self::Place(place) => orient_3d(a, b, c, place),
             Self::Towards(towards) => turn_along(a, b, c, towards),
