@@ -50,7 +50,10 @@ pub fn scaled<const N: usize>(x: [f64; N], exponent: i32) -> [f64; N] {
 /// ```
 #[must_use]
 pub fn normalised<const N: usize>(x: [f64; N]) -> ([f64; N], i32) {
-    common(x.map(|x| (x, 0)))
+    let sizes = x.iter().map(|x| x.abs()).filter(|x| x.is_finite());
+    let largest = sizes.fold(0.0, f64::max);
+    let exponent = if largest > 0.0 { ilogb(largest) } else { 0 };
+    (scaled(x, -exponent), exponent)
 }
 
 /// Numbers x · 2ᵉ of one exponent each, brought to one for all: f · 2ᵉ, the largest |f| between 1 and 2.

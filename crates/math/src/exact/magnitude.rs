@@ -26,18 +26,19 @@ impl Magnitude {
         let highest = absolute.iter().rposition(|&limb| limb != 0)?;
         let lowest = absolute.iter().position(|&limb| limb != 0)?;
         let shift = absolute.get(highest)?.leading_zeros();
+        let used = highest - lowest + 1;
         let mut limbs = [0; LIMBS + 1];
         let pairs = absolute[..=highest]
             .iter()
             .rev()
             .zip(absolute[..highest].iter().rev().chain([&0]));
-        for (to, (&limb, &next)) in limbs.iter_mut().zip(pairs) {
+        for (to, (&limb, &next)) in limbs.iter_mut().zip(pairs).take(used) {
             *to = (((u128::from(limb) << 64 | u128::from(next)) << shift) >> 64) as u64;
         }
         let exponent = LOWEST + 64 * highest as i32 + 63 - shift as i32;
         Some(Self {
             limbs,
-            used: highest - lowest + 1,
+            used,
             exponent,
         })
     }

@@ -266,6 +266,7 @@ fn sort_by_higher_vertex(sides: &mut [HalfEdge], spare: &mut Vec<HalfEdge>) {
 }
 
 /// Adds the records of one vertex pair: the first triangle up with the first down, the second with the second, …
+#[inline]
 fn pair_up(from: u32, group: &[HalfEdge], edges: &mut Vec<Edge>, work: &mut impl Count) {
     work.add(Counter::EdgeRecords, group.len() as u64);
     let Some(to) = group.first().map(|side| side.to()) else {

@@ -145,9 +145,11 @@ impl Weighted {
     fn add(&mut self, (term, exponent): (DVec3, i32)) {
         let mut term = term;
         if exponent > self.exponent {
-            let down = libm::scalbn(1.0, self.exponent.saturating_sub(exponent));
-            self.sum *= down;
-            self.size *= down;
+            if self.size != 0.0 {
+                let down = libm::scalbn(1.0, self.exponent.saturating_sub(exponent));
+                self.sum *= down;
+                self.size *= down;
+            }
             self.exponent = exponent;
         } else if exponent < self.exponent {
             term *= libm::scalbn(1.0, exponent - self.exponent);
@@ -158,7 +160,7 @@ impl Weighted {
 
     /// Whether the terms cancelled but for 2⁻¹⁰ of them.
     fn is_in_doubt(&self) -> bool {
-        self.sum.abs().max_element() < libm::scalbn(self.size, -10)
+        self.sum.abs().max_element() < self.size / 1024.0
     }
 }
 
