@@ -13,6 +13,7 @@ use ombra_math::camera::Camera;
 use ombra_math::glam::{DVec2, DVec4, UVec2};
 use ombra_math::homogeneous::project;
 use ombra_math::mesh::{Mesh, MeshError};
+use ombra_math::view::Viewport;
 use ombra_math::work::Count;
 use ombra_raster::buffers::image::{ImageBuffer, Luma};
 use ombra_raster::buffers::{self, BufferError};
@@ -232,17 +233,11 @@ pub(crate) fn background(camera: &Camera) -> Result<IdBuffer, PictureError> {
         let matrix = &camera.view_projection;
         let row = (0..3).find(|&row| !matrix.row(row).is_finite());
         let row = row.unwrap_or(3);
-        return Err(PictureError::NoEye {
-            row,
-            numbers: matrix.row(row),
-        });
+        let numbers = matrix.row(row);
+        return Err(PictureError::NoEye { row, numbers });
     }
-    let viewport = camera.viewport;
-    Ok(buffers::new(
-        viewport.width,
-        viewport.height,
-        Luma([NOTHING]),
-    )?)
+    let Viewport { width, height } = camera.viewport;
+    Ok(buffers::new(width, height, Luma([NOTHING]))?)
 }
 
 /// A primitive's number as it is stored.

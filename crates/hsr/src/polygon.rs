@@ -7,6 +7,7 @@ use core::fmt;
 
 use ombra_math::glam::DVec3;
 use ombra_math::plane::Plane;
+use ombra_math::scaling::{scaled, split};
 
 /// A planar convex polygon in space; its vertices run round it, seen counter-clockwise from its front.
 ///
@@ -234,10 +235,9 @@ impl Polygon {
         let size = |v: DVec3| v.abs().max_element();
         let extent = self.vertices.iter().map(|v| size(away(v)));
         let extent = extent.fold(0.0, f64::max);
-        let exponent = if extent > 0.0 { libm::ilogb(extent) } else { 0 };
-        let scaled = |x: f64| libm::scalbn(x, -exponent);
+        let exponent = split(extent).1;
         let all = self.vertices.iter().map(away);
-        all.map(|v| DVec3::from_array(v.to_array().map(scaled)))
+        all.map(|v| scaled(v.to_array(), -exponent).into())
             .collect()
     }
 
@@ -295,28 +295,20 @@ impl Polygon {
             let weight = cross.dot(direction);
             (m + weight * sum / 3.0, a + weight)
         });
-        let from_first = moment / area;
-        let scaled = |x: f64| libm::scalbn(x, self.exponent());
-        let from_first = DVec3::from_array(from_first.to_array().map(scaled));
-        Some(first + from_first).filter(|g| g.is_finite())
+        let from_first = scaled((moment / area).to_array(), self.exponent());
+        Some(first + DVec3::from(from_first)).filter(|g| g.is_finite())
     }
 
     /// That of the power of two that brings its largest coordinate to 1 … 2, so that products stay in range.
     fn exponent(&self) -> i32 {
-        let scale = self.scale();
-        if scale > 0.0 && scale.is_finite() {
-            libm::ilogb(scale)
-        } else {
-            0
-        }
+        split(self.scale()).1
     }
 
     /// For each triangle V₀ Vᵢ Vᵢ₊₁, seen from V₀: the sum and the cross product of its other two vertices, scaled by
     /// [`Self::exponent`].
     fn fan(&self) -> impl Iterator<Item = (DVec3, DVec3)> {
         let exponent = self.exponent();
-        let scaled =
-            move |v: DVec3| DVec3::from_array(v.to_array().map(|x| libm::scalbn(x, -exponent)));
+        let scaled = move |v: DVec3| DVec3::from(scaled(v.to_array(), -exponent));
         let first = self.vertices.first().copied().map_or(DVec3::ZERO, scaled);
         self.vertices.windows(2).filter_map(move |pair| {
             let [a, b] = pair.first_chunk()?.map(|v: DVec3| scaled(v) - first);

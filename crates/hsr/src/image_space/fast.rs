@@ -25,11 +25,15 @@ pub fn cast(
     work: &mut impl Count,
 ) -> Result<IdBuffer, PictureError> {
     let mut picture = background(camera)?;
-    let scene = BoxedTargets::new(polygons, camera)?;
+    let targets = Targets::new(polygons, camera)?;
+    let primitives = targets.primitives.iter();
+    let boxed: Vec<Boxed> = primitives
+        .map(|p| (p, pixel_box(p.corners, camera)))
+        .collect();
     let width = camera.viewport.width.max(1) as usize;
     let row = |(y, row): (usize, &mut [u32])| {
         let mut work = Work::default();
-        scene.cast_row(y as u32, row, &mut work).map(|()| work)
+        cast_row(&targets, &boxed, y as u32, row, &mut work).map(|()| work)
     };
     #[cfg(feature = "parallel")]
     let rows: Vec<_> = picture.par_chunks_mut(width).enumerate().map(row).collect();
@@ -45,78 +49,62 @@ pub fn cast(
     Ok(picture)
 }
 
-/// The primitives, and where each may be seen.
-struct BoxedTargets<'a> {
-    targets: Targets<'a>,
-    /// First column and row, last column and row.
-    boxes: Vec<[UVec2; 2]>,
+/// A primitive, and where it may be seen: first column and row, last column and row.
+type Boxed<'a> = (&'a Primitive<'a>, [UVec2; 2]);
+
+/// A row of the picture, each ray with the primitives about its pixel only.
+fn cast_row(
+    targets: &Targets,
+    boxed: &[Boxed],
+    y: u32,
+    row: &mut [u32],
+    work: &mut Work,
+) -> Result<(), PictureError> {
+    let is_about = |(_, [low, high]): &&Boxed| low.y <= y && y <= high.y;
+    let about: Vec<&Boxed> = boxed.iter().filter(is_about).collect();
+    for (x, pixel) in (0..).zip(row) {
+        let place = UVec2::new(x, y);
+        let (line, ray) = targets.ray(place)?;
+        let last = targets.far.meet(&ray).map(|meeting| meeting.t);
+        *pixel = if is_true(line, last, place, targets.camera) {
+            let is_here = |(_, [low, high]): &&&Boxed| low.x <= x && x <= high.x;
+            let here = about
+                .iter()
+                .filter(is_here)
+                .map(|(primitive, _)| *primitive);
+            cast_ray(targets, ray, here, work)
+        } else {
+            cast_ray(targets, ray, &targets.primitives, work)
+        };
+    }
+    Ok(())
 }
 
-impl<'a> BoxedTargets<'a> {
-    fn new(polygons: &'a [Polygon], camera: &'a Camera) -> Result<Self, PictureError> {
-        let targets = Targets::new(polygons, camera)?;
-        let boxes = targets.primitives.iter();
-        let boxes = boxes.map(|primitive| pixel_box(primitive.corners, camera));
-        Ok(Self {
-            boxes: boxes.collect(),
-            targets,
-        })
-    }
-
-    /// The number of the nearest of `primitives` on a ray.
-    fn cast_ray<'p>(
-        &self,
-        ray: Ray,
-        primitives: impl IntoIterator<Item = &'p Primitive<'a>>,
-        work: &mut impl Count,
-    ) -> u32
-    where
-        'a: 'p,
-    {
-        work.add(Counter::Rays, 1);
-        let mut nearest: Option<(&Primitive, Meeting)> = None;
-        for primitive in primitives {
-            work.add(Counter::Intersections, 1);
-            let target = &primitive.target;
-            let Some(meeting) = target.meet(&ray) else {
-                continue;
-            };
-            let is_nearer = |(best, m): &(&Primitive, Meeting)| {
-                order(&ray, (target, &meeting), (&best.target, m)) == Ordering::Less
-            };
-            let seen = nearest.as_ref().is_none_or(is_nearer)
-                && primitive.holds(&ray)
-                && is_within(&ray, target, &meeting, &self.targets.near)
-                && is_within(&ray, target, &meeting, &self.targets.far);
-            if seen {
-                nearest = Some((primitive, meeting));
-            }
+/// The number of the nearest of `primitives` on a ray.
+fn cast_ray<'a>(
+    targets: &Targets,
+    ray: Ray,
+    primitives: impl IntoIterator<Item = &'a Primitive<'a>>,
+    work: &mut impl Count,
+) -> u32 {
+    work.add(Counter::Rays, 1);
+    let mut nearest: Option<(&Primitive, Meeting)> = None;
+    for primitive in primitives {
+        work.add(Counter::Intersections, 1);
+        let target = &primitive.target;
+        let Some(meeting) = target.meet(&ray) else {
+            continue;
+        };
+        let is_nearer = |(best, m): &(&Primitive, Meeting)| {
+            order(&ray, (target, &meeting), (&best.target, m)) == Ordering::Less
+        };
+        let seen = nearest.as_ref().is_none_or(is_nearer)
+            && primitive.holds(&ray)
+            && is_within(&ray, target, &meeting, &targets.near)
+            && is_within(&ray, target, &meeting, &targets.far);
+        if seen {
+            nearest = Some((primitive, meeting));
         }
-        nearest.map_or(NOTHING, |(primitive, _)| primitive.number)
     }
-
-    /// A row of the picture, each ray with the primitives about its pixel only.
-    fn cast_row(&self, y: u32, row: &mut [u32], work: &mut Work) -> Result<(), PictureError> {
-        let mut about: Vec<(&Primitive, u32, u32)> = Vec::new();
-        for (primitive, [low, high]) in self.targets.primitives.iter().zip(&self.boxes) {
-            if low.y <= y && y <= high.y {
-                about.push((primitive, low.x, high.x));
-            }
-        }
-        for (x, pixel) in (0..).zip(row) {
-            let place = UVec2::new(x, y);
-            let (line, ray) = self.targets.ray(place)?;
-            let last = self.targets.far.meet(&ray).map(|meeting| meeting.t);
-            *pixel = if is_true(line, last, place, self.targets.camera) {
-                let here = about
-                    .iter()
-                    .filter(|&&(_, low, high)| low <= x && x <= high)
-                    .map(|&(primitive, ..)| primitive);
-                self.cast_ray(ray, here, work)
-            } else {
-                self.cast_ray(ray, &self.targets.primitives, work)
-            };
-        }
-        Ok(())
-    }
+    nearest.map_or(NOTHING, |(primitive, _)| primitive.number)
 }

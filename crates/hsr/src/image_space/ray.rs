@@ -66,11 +66,8 @@ impl Ray {
                 return sign;
             }
         }
-        let (o, d) = (self.origin, self.direction);
         let mut sum = Sum::default();
-        for [p, q] in [[a, b], [b, o], [o, a]] {
-            add_triple(&mut sum, d, p, q, 1.0);
-        }
+        add_turn(&mut sum, self.direction, [a, b, self.origin], 1.0);
         sum.sign().unwrap_or(Ordering::Equal)
     }
 }
@@ -90,6 +87,13 @@ fn add_triple(sum: &mut Sum, a: DVec3, b: DVec3, c: DVec3, sign: f64) {
     for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
         sum.add([sign * a[i], b[j], c[k]]);
         sum.add([-sign * a[i], b[k], c[j]]);
+    }
+}
+
+/// Adds sign · v·(A × B + B × C + C × A).
+fn add_turn(sum: &mut Sum, v: DVec3, [a, b, c]: [DVec3; 3], sign: f64) {
+    for [p, q] in [[a, b], [b, c], [c, a]] {
+        add_triple(sum, v, p, q, sign);
     }
 }
 
@@ -158,39 +162,26 @@ impl Target {
     }
 
     fn exact_speed(&self, ray: &Ray) -> Sum {
-        let (mut sum, d) = (Sum::default(), ray.direction);
         match self.given {
-            Given::Corners([a, b, c]) => {
-                for [p, q] in [[a, b], [b, c], [c, a]] {
-                    add_triple(&mut sum, d, p, q, 1.0);
-                }
+            Given::Corners(corners) => {
+                let mut sum = Sum::default();
+                add_turn(&mut sum, ray.direction, corners, 1.0);
+                sum
             }
-            Given::Coefficients(plane) => {
-                for i in 0..3 {
-                    sum.add([plane[i], d[i], 1.0]);
-                }
-            }
+            Given::Coefficients(plane) => Sum::dot(plane, ray.direction.extend(0.0), 1.0),
         }
-        sum
     }
 
     fn exact_distance(&self, ray: &Ray) -> Sum {
-        let (mut sum, o) = (Sum::default(), ray.origin);
         match self.given {
             Given::Corners([a, b, c]) => {
+                let mut sum = Sum::default();
                 add_triple(&mut sum, a, b, c, 1.0);
-                for [p, q] in [[a, b], [b, c], [c, a]] {
-                    add_triple(&mut sum, o, p, q, -1.0);
-                }
+                add_turn(&mut sum, ray.origin, [a, b, c], -1.0);
+                sum
             }
-            Given::Coefficients(plane) => {
-                for i in 0..3 {
-                    sum.add([-plane[i], o[i], 1.0]);
-                }
-                sum.add([-plane.w, 1.0, 1.0]);
-            }
+            Given::Coefficients(plane) => Sum::dot(plane, ray.origin.extend(1.0), -1.0),
         }
-        sum
     }
 
     /// Where the ray comes through, before its origin too; `None` along the plane.

@@ -55,9 +55,8 @@ impl core::error::Error for Cycle {}
 impl Cycle {
     /// The ring, turned to start with its lowest number.
     pub(super) fn of(mut primitives: Vec<usize>) -> Self {
-        let lowest = primitives.iter().enumerate().min_by_key(|(_, p)| **p);
-        let start = lowest.map_or(0, |(i, _)| i);
-        primitives.rotate_left(start);
+        let lowest = (0..primitives.len()).min_by_key(|&i| primitives[i]);
+        primitives.rotate_left(lowest.unwrap_or(0));
         Self { primitives }
     }
 }

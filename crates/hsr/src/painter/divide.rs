@@ -113,30 +113,26 @@ fn division(pieces: &[Piece], knife: &Knife) -> Division {
 
 /// The pieces on the eye's side of a plane, in it, and beyond it.
 fn divided<'a>(planes: &Planes<'a>, group: Group<'a>, knife: &Knife) -> [Group<'a>; 3] {
-    let mut sides = [(); 3].map(|()| Group {
-        pieces: Vec::new(),
-        knot: group.knot,
-    });
-    let [near, on, far] = &mut sides;
-    on.knot = 0;
+    let [mut near, mut on, mut far] = [(); 3].map(|()| Vec::new());
     for piece in group.pieces {
         if piece.source == knife.source {
-            on.pieces.push(piece);
+            on.push(piece);
             continue;
         }
         let side = piece.side_of(knife);
         let own = planes.knife(piece.source).filter(|_| side.is_across);
         match own.and_then(|own| piece.halves(knife, own, planes.eye, &planes.view)) {
             Some([before, beyond]) => {
-                near.pieces.push(before);
-                far.pieces.push(beyond);
+                near.push(before);
+                far.push(beyond);
             }
             // Rounding may leave nothing of a half.
-            None if side.is_near => near.pieces.push(piece),
-            None => far.pieces.push(piece),
+            None if side.is_near => near.push(piece),
+            None => far.push(piece),
         }
     }
-    sides
+    let knot = group.knot;
+    [(near, knot), (on, 0), (far, knot)].map(|(pieces, knot)| Group { pieces, knot })
 }
 
 /// The pieces by what hides what: knots of which each piece leads to all others of it, the nearest first.

@@ -113,10 +113,9 @@ impl<'a> Piece<'a> {
             // Each two are always asked the same way round.
             return other.compare(self, eye, work).swapped();
         }
-        let mut is_nearer = self.is_near(other.source).is_some_and(|near| near)
-            || other.is_near(self.source).is_some_and(|near| !near);
-        let mut is_farther = self.is_near(other.source).is_some_and(|near| !near)
-            || other.is_near(self.source).is_some_and(|near| near);
+        let sides = [self.is_near(other.source), other.is_near(self.source)];
+        let mut is_nearer = sides[0] == Some(true) || sides[1] == Some(false);
+        let mut is_farther = sides[0] == Some(false) || sides[1] == Some(true);
         for cut in &self.cuts {
             if let Some(other_near) = other.is_near(cut.source) {
                 is_nearer |= cut.is_near && !other_near;

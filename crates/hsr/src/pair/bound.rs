@@ -10,14 +10,24 @@ use super::tolerance;
 pub(super) enum Bound {
     /// Not known.
     All,
-    /// Within an angle below 90° of the unit vector `axis`: its cosine and sine.
-    Cone { axis: DVec3, cos: f64, sin: f64 },
-    /// Within `radius` of the sight line through `centre`, seen along the unit vector `towards`.
-    Cylinder {
-        towards: DVec3,
-        centre: DVec3,
-        radius: f64,
-    },
+    Cone(Cone),
+    Cylinder(Cylinder),
+}
+
+/// Within an angle below 90° of the unit vector `axis`: its cosine and sine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cone {
+    axis: DVec3,
+    cos: f64,
+    sin: f64,
+}
+
+/// Within `radius` of the sight line through `centre`, seen along the unit vector `towards`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cylinder {
+    towards: DVec3,
+    centre: DVec3,
+    radius: f64,
 }
 
 impl Bound {
@@ -35,7 +45,7 @@ impl Bound {
                 let cos = rays().map(|ray| axis.dot(ray)).fold(1.0, f64::min) - 16.0 * f64::EPSILON;
                 let sin = ((1.0 - cos) * (1.0 + cos)).sqrt();
                 if cos > 0.0 {
-                    Self::Cone { axis, cos, sin }
+                    Self::Cone(Cone { axis, cos, sin })
                 } else {
                     Self::All
                 }
@@ -44,11 +54,12 @@ impl Bound {
                 let towards = (towards / towards.abs().max_element()).normalize();
                 let centre = vertices.iter().sum::<DVec3>() / vertices.len() as f64;
                 let away = vertices.iter().map(|&v| across(v - centre, towards));
-                Self::Cylinder {
+                let radius = away.fold(0.0, f64::max);
+                Self::Cylinder(Cylinder {
                     towards,
                     centre,
-                    radius: away.fold(0.0, f64::max),
-                }
+                    radius,
+                })
             }
         }
     }
@@ -57,29 +68,13 @@ impl Bound {
     #[inline]
     pub(super) fn apart(&self, other: &Self, scale: f64) -> bool {
         match (*self, *other) {
-            (
-                Self::Cone { axis: a, cos, sin },
-                Self::Cone {
-                    axis: b,
-                    cos: other_cos,
-                    sin: other_sin,
-                },
-            ) => {
+            (Self::Cone(a), Self::Cone(b)) => {
                 // The cosine of the angle between the axes against that of the sum of both angles, below 180°.
-                a.dot(b) < cos * other_cos - sin * other_sin - 16.0 * f64::EPSILON
+                a.axis.dot(b.axis) < a.cos * b.cos - a.sin * b.sin - 16.0 * f64::EPSILON
             }
-            (
-                Self::Cylinder {
-                    towards,
-                    centre: a,
-                    radius: r,
-                },
-                Self::Cylinder {
-                    centre: b,
-                    radius: s,
-                    ..
-                },
-            ) => across(a - b, towards) > r + s + tolerance(scale),
+            (Self::Cylinder(a), Self::Cylinder(b)) => {
+                across(a.centre - b.centre, a.towards) > a.radius + b.radius + tolerance(scale)
+            }
             _ => false,
         }
     }

@@ -11,9 +11,8 @@ use ombra_math::plane::Plane;
 /// points the plane was made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CutPlane {
-    /// A quarter long: products with the largest doubles stay finite.
-    normal: DVec3,
-    d: f64,
+    /// Its normal is a quarter long: products with the largest doubles stay finite.
+    plane: Plane,
 }
 
 impl CutPlane {
@@ -26,7 +25,12 @@ impl CutPlane {
         let normal = shares / length;
         // Quartered first, or the distance from the origin could overflow.
         let d = plane.d * 0.25 / largest * (4.0 / length);
-        (normal.is_finite() && d.is_finite()).then_some(Self { normal, d })
+        Self::quartered(normal, d)
+    }
+
+    fn quartered(normal: DVec3, d: f64) -> Option<Self> {
+        let plane = Plane { normal, d };
+        (normal.is_finite() && d.is_finite()).then_some(Self { plane })
     }
 
     /// The plane through `point` along two directions; `None` where they are parallel.
@@ -34,29 +38,25 @@ impl CutPlane {
         let share = |u: DVec3| u / u.abs().max_element();
         let normal = share(u).cross(share(v)).try_normalize()? * 0.25;
         let d = -normal.dot(point);
-        (normal.is_finite() && d.is_finite()).then_some(Self { normal, d })
+        Self::quartered(normal, d)
     }
 
     /// The other way round.
     #[must_use]
     pub fn turned(self) -> Self {
         Self {
-            normal: -self.normal,
-            d: -self.d,
+            plane: self.plane.turned(),
         }
     }
 
     /// Its plane.
     pub(super) fn plane(&self) -> Plane {
-        Plane {
-            normal: self.normal,
-            d: self.d,
-        }
+        self.plane
     }
 
     /// The sine of the angle between two planes.
     pub(super) fn sine(&self, other: &Self) -> f64 {
-        16.0 * self.normal.cross(other.normal).length()
+        16.0 * self.plane.normal.cross(other.plane.normal).length()
     }
 
     /// How far `v` lies from the plane, negative behind it.
@@ -73,7 +73,7 @@ impl CutPlane {
     /// A quarter of the distance, which no coordinates make infinite.
     #[inline]
     fn quarter(&self, v: DVec3) -> f64 {
-        self.normal.dot(v) + self.d
+        self.plane.normal.dot(v) + self.plane.d
     }
 
     /// Cuts a convex polygon in two: the part in front of this plane, and the part behind.

@@ -13,7 +13,7 @@ use ombra_raster::triangle_setup::Cull;
 
 use super::error::{DrawError, check_size};
 use super::options::{self, Colours, Options};
-use super::paint::{DepthOnly, Flat, FlatColours, Paint, PicturePixel, Smooth};
+use super::paint::{DepthOnly, Flat, Paint, PicturePixel, Smooth};
 use super::projected::Projected;
 #[cfg(feature = "parallel")]
 use super::projected::threads_for;
@@ -87,22 +87,18 @@ pub(super) fn drawn<F: DepthFormat, P: PicturePixel>(
     let sizes = [picture.dimensions(), depth.dimensions()];
     options::check(mesh, camera, &colours, sizes)?;
     let projected = Projected::new::<F>(mesh, camera, work)?;
-    let colours = match colours {
-        Colours::One(colour) => FlatColours::One(colour),
-        Colours::PerTriangle(colours) => FlatColours::PerTriangle(colours),
-        Colours::PerVertex(colours) => {
-            let triangles = &mesh.triangles;
-            let paint = Smooth {
-                colours,
-                triangles,
-                blend,
-            };
-            run(&projected, cull, paint, depth, picture, threads, work);
-            return Ok(());
-        }
-    };
-    let paint = Flat { colours, blend };
-    run(&projected, cull, paint, depth, picture, threads, work);
+    if let Colours::PerVertex(colours) = colours {
+        let triangles = &mesh.triangles;
+        let paint = Smooth {
+            colours,
+            triangles,
+            blend,
+        };
+        run(&projected, cull, paint, depth, picture, threads, work);
+    } else {
+        let paint = Flat { colours, blend };
+        run(&projected, cull, paint, depth, picture, threads, work);
+    }
     Ok(())
 }
 

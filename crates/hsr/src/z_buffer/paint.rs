@@ -78,15 +78,8 @@ impl Paint for DepthOnly {
 /// One colour a triangle.
 #[derive(Clone, Copy)]
 pub(super) struct Flat<'a, P> {
-    pub(super) colours: FlatColours<'a, P>,
+    pub(super) colours: Colours<'a, P>,
     pub(super) blend: Blend,
-}
-
-/// [`Colours`] that do not change within a triangle.
-#[derive(Clone, Copy)]
-pub(super) enum FlatColours<'a, P> {
-    One(P),
-    PerTriangle(&'a [P]),
 }
 
 impl<P: PicturePixel> Paint for Flat<'_, P> {
@@ -96,8 +89,9 @@ impl<P: PicturePixel> Paint for Flat<'_, P> {
     #[inline(always)]
     fn ink(&self, triangle: usize, _: &Weights, _: &Setup<'_>) -> Option<P> {
         match self.colours {
-            FlatColours::One(one) => Some(one),
-            FlatColours::PerTriangle(colours) => colours.get(triangle).copied(),
+            Colours::One(one) => Some(one),
+            Colours::PerTriangle(colours) => colours.get(triangle).copied(),
+            Colours::PerVertex(_) => None,
         }
     }
 

@@ -25,39 +25,24 @@ pub(super) type Outcode = u8;
 const PLANES: Outcode = 0b0011_1111;
 const CUT: Outcode = 0b0100_0000;
 
-/// How far beyond the picture corners may lie without being clipped, in half widths and half heights: a power of two,
-/// so that scaling by it is exact.
-#[derive(Clone, Copy, Debug)]
-struct Guard {
-    x: f64,
-    y: f64,
-}
-
-impl Guard {
-    fn new(viewport: Viewport) -> Self {
-        let scale = |side: u32| {
-            let log = side.clamp(1, MAX_SIDE).next_power_of_two().trailing_zeros();
-            f64::from(1u32 << (GUARD_LOG + 1 - log))
-        };
-        Self {
-            x: scale(viewport.width),
-            y: scale(viewport.height),
-        }
-    }
-}
-
 /// The way from clip space to the picture.
 #[derive(Clone, Copy, Debug)]
 struct Screen {
-    guard: Guard,
+    /// How far beyond the picture corners may lie without being clipped, in half widths and half heights: a power of
+    /// two, so that scaling by it is exact.
+    guard: DVec2,
     width: f64,
     height: f64,
 }
 
 impl Screen {
     fn new(viewport: Viewport) -> Self {
+        let guard = |side: u32| {
+            let log = side.clamp(1, MAX_SIDE).next_power_of_two().trailing_zeros();
+            f64::from(1u32 << (GUARD_LOG + 1 - log))
+        };
         Self {
-            guard: Guard::new(viewport),
+            guard: DVec2::new(guard(viewport.width), guard(viewport.height)),
             width: f64::from(viewport.width),
             height: f64::from(viewport.height),
         }

@@ -5,7 +5,7 @@ use ombra_math::glam::DMat4;
 
 use super::*;
 use crate::z_buffer::fast::{Threads, run};
-use crate::z_buffer::paint::{DepthOnly, Flat, FlatColours, Paint, Smooth};
+use crate::z_buffer::paint::{DepthOnly, Flat, Paint, Smooth};
 
 /// From none to the widest.
 fn levels() -> Vec<Level> {
@@ -54,7 +54,7 @@ fn check<F: DepthFormat + PartialEq>(mesh: &Mesh, camera: &Camera, blend: Blend)
                 };
                 paint_all(&projected, paint, &mut depth, &mut picture);
             } else {
-                let colours = FlatColours::PerTriangle(&many);
+                let colours = Colours::PerTriangle(&many);
                 paint_all(
                     &projected,
                     Flat { colours, blend },

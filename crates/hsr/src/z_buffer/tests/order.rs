@@ -6,7 +6,7 @@ use super::*;
 #[cfg(feature = "parallel")]
 use crate::z_buffer::fast::{Band, draw_bands};
 #[cfg(feature = "parallel")]
-use crate::z_buffer::paint::{Flat, FlatColours};
+use crate::z_buffer::paint::Flat;
 
 const SIZE: (u32, u32) = (48, 40);
 
@@ -202,7 +202,7 @@ fn batches_change_nothing() {
         .map(|i| Rgba([i as u8, (i >> 8) as u8, 7, (i * 13) as u8]))
         .collect();
     let paint = Flat {
-        colours: FlatColours::PerTriangle(&colours),
+        colours: Colours::PerTriangle(&colours),
         blend: Blend::Over,
     };
     let run = |batch: Option<usize>| {
