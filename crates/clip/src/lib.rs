@@ -7,7 +7,8 @@
 //! use ombra_math::glam::DVec2;
 //! use ombra_raster::polygon::{FillRule, fill};
 //!
-//! // A comb in a window that holds only the ends of its teeth: four polygons remain, and no bridge between them.
+//! // A comb in a window that holds only the ends of its teeth: four polygons remain,
+//! // and no bridge between them.
 //! let comb = [(1, 9), (20, 9), (20, 1), (16, 7), (13, 1), (10, 7), (7, 1), (4, 7), (1, 1)];
 //! let comb = comb.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
 //! let window = Window::new(DVec2::new(0.0, 0.0), DVec2::new(21.0, 5.0))?;

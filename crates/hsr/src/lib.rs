@@ -4,16 +4,23 @@
 //!
 //! ```
 //! use ombra_hsr::z_buffer::{Colours, Depth24, DepthBuffer, Options, draw};
-//! use ombra_math::{camera::Camera, glam::DVec3, solids, view::{Viewport, look_at, perspective}};
+//! use ombra_math::view::{Viewport, look_at, perspective};
+//! use ombra_math::{camera::Camera, glam::DVec3, mesh::Weighting, solids};
 //! use ombra_raster::buffers::{self, image::Rgb};
 //!
 //! let mesh = solids::teapot(8)?;
-//! let view = perspective(0.7, 4.0 / 3.0, 1.0, 100.0)? * look_at(DVec3::new(4.0, 5.0, 9.0), DVec3::Y, DVec3::Y)?;
-//! let camera = Camera { view_projection: view, viewport: Viewport { width: 320, height: 240 } };
-//! let colours: Vec<_> = mesh.vertex_normals(ombra_math::mesh::Weighting::Angle).iter()
-//!     .map(|n| Rgb((127.0 * (n.normalize_or_zero() + 1.0)).to_array().map(|c| c as u8))).collect();
-//! let (mut picture, mut depth) = (buffers::new(320, 240, Rgb([255; 3]))?, DepthBuffer::<Depth24>::new(320, 240)?);
-//! draw(&mesh, &camera, Colours::PerVertex(&colours), Options::default(), &mut picture, &mut depth)?;
+//! let view = look_at(DVec3::new(4.0, 5.0, 9.0), DVec3::Y, DVec3::Y)?;
+//! let camera = Camera {
+//!     view_projection: perspective(0.7, 4.0 / 3.0, 1.0, 100.0)? * view,
+//!     viewport: Viewport { width: 320, height: 240 },
+//! };
+//! let normals = mesh.vertex_normals(Weighting::Angle);
+//! let colour = |n: &DVec3| Rgb((127.0 * (*n + 1.0)).to_array().map(|c| c as u8));
+//! let colours: Vec<_> = normals.iter().map(colour).collect();
+//! let colours = Colours::PerVertex(&colours);
+//! let mut picture = buffers::new(320, 240, Rgb([255; 3]))?;
+//! let mut depth = DepthBuffer::<Depth24>::new(320, 240)?;
+//! draw(&mesh, &camera, colours, Options::default(), &mut picture, &mut depth)?;
 //! let mut file = Vec::new();
 //! let mut encoder = png::Encoder::new(&mut file, 320, 240);
 //! encoder.set_color(png::ColorType::Rgb);

@@ -3,6 +3,8 @@
 //! A fragment is written where it is nearer than what the pixel holds. [`draw`] takes an indexed mesh all the way: to
 //! clip space, clipped at the near plane, the far plane and where pixel coordinates would leave their range, to
 //! sub-pixels, to fragments, to the test. The [formats](ombra_raster::depth_format) of depth are types on one code path.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/zbuffer-steps.svg"))]
 //!
 //! # Which pixels, which depth
 //!
@@ -18,8 +20,6 @@
 //! The test is strict, so of equal stored depths the first one drawn stays. Where no stored depths tie, the picture
 //! does not depend on the order, unless colours are blended. It never depends on the number of threads or the
 //! processor.
-#![cfg_attr(doc, doc = "")]
-#![cfg_attr(doc, doc = include_str!("../figures/zbuffer-steps.svg"))]
 #![doc(alias = "hidden surface removal")]
 #![doc(alias = "depth buffer")]
 #![doc(alias = "depth test")]

@@ -3,12 +3,16 @@
 #![cfg_attr(doc, doc = include_str!("../figures/frustum.svg"))]
 //!
 //! ```
-//! use ombra_math::{camera::Camera, glam::DVec3, solids, view::{Viewport, look_at, perspective}};
+//! use ombra_math::view::{Viewport, look_at, perspective};
+//! use ombra_math::{camera::Camera, glam::DVec3, solids};
 //!
 //! // The vertices of a torus in letters: a near, z far.
 //! let torus = solids::torus(3.0, 1.2, 240, 120)?;
-//! let view = perspective(0.85, 1.6, 5.0, 15.0)? * look_at(DVec3::new(0.0, 7.0, 7.0), DVec3::ZERO, DVec3::Y)?;
-//! let camera = Camera { view_projection: view, viewport: Viewport { width: 54, height: 17 } };
+//! let view = look_at(DVec3::new(0.0, 7.0, 7.0), DVec3::ZERO, DVec3::Y)?;
+//! let camera = Camera {
+//!     view_projection: perspective(0.85, 1.6, 5.0, 15.0)? * view,
+//!     viewport: Viewport { width: 54, height: 17 },
+//! };
 //! let mut picture = vec![vec!['.'; 54]; 17];
 //! for p in torus.positions.iter().filter_map(|&p| camera.to_pixel(p)) {
 //!     let seen = &mut picture[p.y as usize][p.x as usize];

@@ -4,11 +4,11 @@
 //! line is the sign of F at the midpoint between them, and F at the next midpoint is an addition away. A segment
 //! in another octant is turned and mirrored into the slide's, 0 ≤ m ≤ 1, and its moves back out.
 #![cfg_attr(doc, doc = "")]
-#![cfg_attr(doc, doc = include_str!("../figures/bresenham-trace.svg"))]
-#![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/bresenham-choice.svg"))]
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/bresenham-increments.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/bresenham-trace.svg"))]
 //!
 //! # Reversing
 //!

@@ -6,14 +6,16 @@
 //! use ombra_math::glam::{DVec2, IVec2};
 //! use ombra_raster::{bresenham, buffers, polygon::{FillRule, fill}};
 //!
-//! let star = [(9.0, 0.0), (14.3, 16.0), (0.5, 6.2), (17.5, 6.2), (3.7, 16.0)].map(DVec2::from).to_vec();
+//! let star = [(9.0, 0.0), (14.3, 16.0), (0.5, 6.2), (17.5, 6.2), (3.7, 16.0)];
+//! let star = star.map(DVec2::from).to_vec();
 //! let mut picture = buffers::new(18, 18, buffers::image::Luma([b'.'])).unwrap();
 //! let inside = fill(&[star], FillRule::EvenOdd, 18, 18).unwrap();
 //! buffers::paint(&mut picture, inside, buffers::image::Luma([b'#'])).unwrap();
 //! for p in bresenham::segment(IVec2::new(0, 16), IVec2::new(17, 17)) {
 //!     picture.get_pixel_mut(p.x as u32, p.y as u32).0 = [b'='];
 //! }
-//! let rows: Vec<&str> = picture.chunks(18).map(|row| std::str::from_utf8(row).unwrap()).collect();
+//! let row = |row| std::str::from_utf8(row).unwrap();
+//! let rows: Vec<&str> = picture.chunks(18).map(row).collect();
 //! assert_eq!(rows, [
 //!     "..................",
 //!     "..................",

@@ -7,15 +7,17 @@
 //! use ombra_raster::polygon::{FillRule, fill};
 //! use ombra_shadows::planar::cast_polygon;
 //!
-//! // A cube over the ground and a lamp above it, seen from above: o the cube, # what of its shadow it does not cover.
+//! // A cube over the ground and a lamp above it, seen from above: o the cube, # what of its
+//! // shadow it does not cover.
 //! let cube = solids::cuboid(DVec3::new(10.0, 1.0, 4.0), DVec3::new(14.0, 6.0, 8.0))?;
 //! let lamp = DVec4::new(6.0, 10.0, 6.0, 1.0);
 //! let mut picture = vec![vec!['.'; 28]; 12];
-//! let faces = |ink| (0..12).filter_map(|i| cube.triangle(i)).map(move |face| (ink, face.to_vec()));
+//! let faces = |ink| (0..12).filter_map(|i| cube.triangle(i)).map(move |face| (ink, face));
 //! for (ink, face) in faces('#').chain(faces('o')) {
-//!     let shadow: Vec<DVec4> = if ink == 'o' { face.iter().map(|v| v.extend(1.0)).collect() }
-//!         else { cast_polygon(Plane::GROUND, lamp, &face) };
-//!     let above = shadow.iter().map(|p| DVec2::new(p.x, p.z) / p.w).collect();
+//!     let itself = || face.iter().map(|v| v.extend(1.0)).collect();
+//!     let shadow = || cast_polygon(Plane::GROUND, lamp, &face);
+//!     let shape: Vec<DVec4> = if ink == 'o' { itself() } else { shadow() };
+//!     let above = shape.iter().map(|p| DVec2::new(p.x, p.z) / p.w).collect();
 //!     for span in fill(&[above], FillRule::NonZero, 28, 12).unwrap() {
 //!         picture[span.y as usize][span.x.start as usize..span.x.end as usize].fill(ink);
 //!     }
