@@ -6,14 +6,6 @@
 //! [`cast`] and [`cast_polygon`] do.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/why.svg"))]
-#![cfg_attr(doc, doc = "")]
-#![cfg_attr(doc, doc = include_str!("../figures/cube-infinity.svg"))]
-#![cfg_attr(doc, doc = "")]
-#![cfg_attr(doc, doc = include_str!("../figures/cube-point.svg"))]
-#![cfg_attr(doc, doc = "")]
-#![cfg_attr(doc, doc = include_str!("../figures/planar-any-plane.svg"))]
-#![cfg_attr(doc, doc = "")]
-#![cfg_attr(doc, doc = include_str!("../figures/false-shadow.svg"))]
 //!
 //! | module | lecture topic |
 //! | --- | --- |
