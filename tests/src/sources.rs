@@ -32,6 +32,12 @@ impl Item {
     pub fn name(&self) -> &str {
         self.path.rsplit("::").next().unwrap_or_default()
     }
+
+    /// Whether `path` is one of its public paths.
+    #[must_use]
+    pub fn is_at(&self, path: &str) -> bool {
+        self.path == path || self.also.iter().any(|also| also == path)
+    }
 }
 
 /// The root of the repository.

@@ -155,6 +155,10 @@ pub struct Hit {
 }
 
 /// [`hits`], counting the ray and its intersections with planes.
+///
+/// # Properties
+///
+/// - Error: that of `hits`
 #[must_use]
 pub fn hits_plain(polygons: &[Polygon], line: SightLine, work: &mut impl Count) -> Vec<Hit> {
     let Some(ray) = Ray::new(line) else {

@@ -156,6 +156,8 @@ impl Polygon {
     /// Vertices of more than three are seldom on one plane exactly. What asks for the plane of a polygon takes these
     /// three, so that there is one answer.
     ///
+    /// - Error: none: they are vertices
+    ///
     /// # Errors
     ///
     /// `None` where they are on one line, which is decided exactly, or a coordinate is not finite.
@@ -184,6 +186,10 @@ impl Polygon {
     /// ```text
     /// n = AB × AC          d = −n·A          A, B, C: the span
     /// ```
+    ///
+    /// # Properties
+    ///
+    /// - Error: none for the three: each is the nearest double, times a power of two common to all
     ///
     /// # References
     ///

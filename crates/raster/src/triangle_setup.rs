@@ -94,6 +94,10 @@ impl<'a> Setup<'a> {
 
     /// The pixels that the triangle owns in a picture of `width` × `height`, (x, y), row after row, and the edge
     /// functions at the centre of each.
+    ///
+    /// # Properties
+    ///
+    /// - Error: 0
     pub fn pixels(&self, width: u32, height: u32) -> impl Iterator<Item = (u32, u32, [f64; 3])> {
         let [columns, rows] = self.bounds(width, height);
         let owned = move |x, y| Some((x, y, self.edges_at(x, y)?));

@@ -90,6 +90,9 @@ impl CutPlane {
     /// empty. So cutting again at the same plane does nothing and leaves no slivers. Both parts get the same
     /// crossings. Of a polygon that lies on the plane both parts are empty.
     ///
+    /// - Error: kept vertices none; a crossing at most [`tolerance`](super::tolerance)(M) from the plane and 2 ε M in a
+    ///   coordinate from its edge, M the largest coordinate of the polygon and the points the plane was made of
+    ///
     /// # Examples
     ///
     /// ```

@@ -1,15 +1,4 @@
-//! What each function that answers a double promises of its error, and the worst that was found: the table
-//! `notes/src/error-bounds.md`, made from the line `- Error: …` of each function's documentation and from exact
-//! fractions.
-//!
-//! ```sh
-//! cargo test -p ombra-tests --test error_bounds -- --ignored     # writes the table anew
-//! ```
-#![allow(clippy::panic, reason = "a test that cannot go on fails")]
-
-use std::fmt::Write as _;
-use std::fs;
-use std::path::PathBuf;
+//! One random case of each, in units of ε.
 
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -25,139 +14,64 @@ use ombra_raster::attributes::{linear, perspective_weights, weights};
 use ombra_raster::triangle::edge_function;
 use ombra_shadows::planar::{cast, shadow_matrix};
 use ombra_tests::cases::Random;
-use ombra_tests::sources::{Item, public_items, root};
 
 type Q = BigRational;
 
 /// A measured bound: the worst of one random case, in units of ε times what `unit` says.
-struct Measured {
-    path: &'static str,
-    unit: &'static str,
+pub struct Measured {
+    pub path: &'static str,
+    pub unit: &'static str,
     /// The bound, in the same units.
-    most: f64,
+    pub most: f64,
     case: fn(&mut Random) -> f64,
 }
 
 /// Random cases of each; a third of them next to a degenerate one, where the case has such.
-const CASES: u32 = 1000;
+pub const CASES: u32 = 1000;
 /// 2⁻⁴¹, 2⁻⁴⁰ and 2⁻³⁹ in units of ε.
 const BITS_41: f64 = 2048.0;
 
-const MEASURED: &[Measured] = &[
+const fn of(
+    path: &'static str,
+    unit: &'static str,
+    most: f64,
+    case: fn(&mut Random) -> f64,
+) -> Measured {
     Measured {
-        path: "ombra_clip::crossing::at_x",
-        unit: "|value|",
-        most: 0.5,
-        case: crossing_at_x,
-    },
-    Measured {
-        path: "ombra_hsr::z_buffer::precision::depth_at",
-        unit: "|value|",
-        most: 2.5,
-        case: depth,
-    },
-    Measured {
-        path: "ombra_math::exact::Sum::quotient",
-        unit: "|value|",
-        most: 0.5,
-        case: quotient,
-    },
-    Measured {
-        path: "ombra_math::exact::dot",
-        unit: "|value|",
-        most: 1.0,
-        case: dot,
-    },
-    Measured {
-        path: "ombra_math::homogeneous::incidence",
-        unit: "|value|",
-        most: 1.0,
-        case: plane_and_point,
-    },
-    Measured {
-        path: "ombra_math::homogeneous::project",
-        unit: "|coordinate|",
-        most: 0.5,
-        case: projected,
-    },
-    Measured {
-        path: "ombra_math::plane::Plane::signed_distance",
-        unit: "|value|",
-        most: 4.0,
-        case: distance,
-    },
-    Measured {
-        path: "ombra_math::triangle::area",
-        unit: "|value|",
-        most: 2.0 * BITS_41,
-        case: triangle_area,
-    },
-    Measured {
-        path: "ombra_math::triangle::barycentric",
-        unit: "|w| / |n|",
-        most: 4.0 * BITS_41,
-        case: coordinates,
-    },
-    Measured {
-        path: "ombra_math::triangle::normal",
-        unit: "|component|",
-        most: BITS_41,
-        case: triangle_normal,
-    },
-    Measured {
-        path: "ombra_math::view::frustum",
-        unit: "|entry|",
-        most: 2.0,
-        case: frustum_entries,
-    },
-    Measured {
-        path: "ombra_math::view::frustum_infinite",
-        unit: "|entry|",
-        most: 2.0,
-        case: infinite_entries,
-    },
-    Measured {
-        path: "ombra_math::view::orthographic",
-        unit: "|entry|",
-        most: 2.0,
-        case: orthographic_entries,
-    },
-    Measured {
-        path: "ombra_raster::attributes::linear",
-        unit: "Σ|λᵢ aᵢ|",
-        most: 2.0,
-        case: mixture,
-    },
-    Measured {
-        path: "ombra_raster::attributes::perspective_weights",
-        unit: "|μᵢ|",
-        most: 5.0,
-        case: in_perspective,
-    },
-    Measured {
-        path: "ombra_raster::attributes::weights",
-        unit: "|λᵢ|",
-        most: 64.0,
-        case: on_screen,
-    },
-    Measured {
-        path: "ombra_raster::triangle::edge_function",
-        unit: "its two |products|",
-        most: 2.01,
-        case: edge,
-    },
-    Measured {
-        path: "ombra_shadows::planar::cast",
-        unit: "|coordinate|",
-        most: 0.5,
-        case: shadow,
-    },
-    Measured {
-        path: "ombra_shadows::planar::shadow_matrix",
-        unit: "Σ of an entry's |terms|",
-        most: 2.0,
-        case: matrix,
-    },
+        path,
+        unit,
+        most,
+        case,
+    }
+}
+
+/// The worst that a measured function does, over all cases.
+pub fn worst(measured: &Measured) -> f64 {
+    let mut random = Random::new(measured.path.bytes().map(u64::from).sum());
+    most((0..CASES).map(|_| (measured.case)(&mut random)))
+}
+
+#[rustfmt::skip]
+pub const MEASURED: &[Measured] = &[
+    of("ombra_clip::crossing::at_x", "|value|", 0.5, crossing_at_x),
+    of("ombra_hsr::z_buffer::precision::depth_at", "|value|", 2.5, depth),
+    of("ombra_math::exact::Sum::quotient", "|value|", 0.5, quotient),
+    of("ombra_math::exact::dot", "|value|", 1.0, dot),
+    of("ombra_math::homogeneous::incidence", "|value|", 1.0, plane_and_point),
+    of("ombra_math::homogeneous::project", "|coordinate|", 0.5, projected),
+    of("ombra_math::plane::Plane::signed_distance", "|value|", 4.0, distance),
+    of("ombra_math::triangle::area", "|value|", 2.0 * BITS_41, triangle_area),
+    of("ombra_math::triangle::barycentric", "|w| / |n|", 4.0 * BITS_41, coordinates),
+    of("ombra_math::triangle::normal", "|component|", BITS_41, triangle_normal),
+    of("ombra_math::view::frustum", "|entry|", 2.0, frustum_entries),
+    of("ombra_math::view::frustum_infinite", "|entry|", 2.0, infinite_entries),
+    of("ombra_math::view::orthographic", "|entry|", 2.0, orthographic_entries),
+    of("ombra_raster::attributes::linear", "Σ|λᵢ aᵢ|", 2.0, mixture),
+    of("ombra_raster::attributes::perspective_weights", "|μᵢ|", 5.0, in_perspective),
+    of("ombra_raster::attributes::weights", "|λᵢ|", 64.0, on_screen),
+    of("ombra_raster::triangle::edge_function", "its two |products|", 2.01, edge),
+    of("ombra_shadows::planar::cast", "|coordinate|", 0.5, shadow),
+    of("ombra_shadows::planar::shadow_matrix", "Σ of an entry's |terms|", 2.0, matrix),
 ];
 
 fn q(x: f64) -> Q {
@@ -490,143 +404,4 @@ fn matrix(random: &mut Random) -> f64 {
         let scale = terms.iter().map(Signed::abs).sum::<Q>();
         off(m.col(k % 4)[k / 4], &terms.iter().sum(), &scale)
     }))
-}
-
-/// Whether a function answers numbers that can be wrong.
-fn answers_doubles(item: &Item) -> bool {
-    const NUMBERS: [&str; 11] = [
-        "f64",
-        "DVec",
-        "DMat",
-        "Segment",
-        "Plane",
-        "Spherical",
-        "DoubleDouble",
-        "SightLine",
-        "Ellipse",
-        "Vertex<",
-        "Hit",
-    ];
-    let of_type = item.path.rsplit("::").nth(1).unwrap_or_default();
-    let is_twin = item.path.contains("::counted") || item.path.ends_with("_counted");
-    let own =
-        item.answer.contains("Self") && ["Plane", "Spherical", "DoubleDouble"].contains(&of_type);
-    item.kind == "fn"
-        && !is_twin
-        && (own || NUMBERS.iter().any(|number| item.answer.contains(number)))
-}
-
-/// The bound that the documentation states, on one line.
-fn stated(item: &Item) -> Option<String> {
-    let mut lines = item
-        .docs
-        .iter()
-        .skip_while(|line| !line.starts_with("- Error:"));
-    let mut bound = lines
-        .next()?
-        .trim_start_matches("- Error:")
-        .trim()
-        .to_owned();
-    for line in lines.take_while(|line| line.starts_with("  ")) {
-        bound.push(' ');
-        bound.push_str(line.trim());
-    }
-    Some(bound.trim_end_matches('.').to_owned())
-}
-
-/// The worst that a measured function does, over all cases.
-fn worst(measured: &Measured) -> f64 {
-    let mut random = Random::new(measured.path.bytes().map(u64::from).sum());
-    most((0..CASES).map(|_| (measured.case)(&mut random)))
-}
-
-/// The table, as Markdown.
-fn table(items: &[Item]) -> String {
-    let mut text = format!(
-        "\
-# Error bounds
-
-What each function promises of its error, as its documentation states it, and the worst that was found over {CASES} random
-cases against exact fractions, coordinates from 2⁻²⁰ to 2²⁰ of both signs and a third of the cases next to a degenerate
-one. ε = 2⁻⁵²; “none” means that the answer is exact or the double nearest to it, which is within ½ ε of itself. A dash:
-not measured here; the function's own tests are. `tests/tests/error_bounds.rs` writes this table and fails if it is not
-current.
-"
-    );
-    let mut krate = "";
-    for item in items.iter().filter(|item| answers_doubles(item)) {
-        let Some(bound) = stated(item) else { continue };
-        let (own, path) = item.path.split_once("::").unwrap_or(("", &item.path));
-        if own != krate {
-            krate = own;
-            let _ = write!(
-                text,
-                "\n## {krate}\n\n| function | bound | worst found |\n| --- | --- | --- |\n"
-            );
-        }
-        let found = MEASURED.iter().find(|measured| measured.path == item.path);
-        let found = found.map_or("–".to_owned(), |measured| {
-            format!("{:.2} ε · {}", worst(measured), measured.unit).replace('|', "\\|")
-        });
-        let _ = writeln!(
-            text,
-            "| `{path}` | {} | {found} |",
-            bound.replace('|', "\\|")
-        );
-    }
-    text
-}
-
-fn file() -> PathBuf {
-    root().join("notes/src/error-bounds.md")
-}
-
-#[test]
-fn every_function_that_answers_doubles_states_its_error() {
-    let items = public_items();
-    let silent = items
-        .iter()
-        .filter(|item| answers_doubles(item) && stated(item).is_none());
-    let silent: Vec<String> = silent
-        .map(|item| format!("{} -> {}", item.path, item.answer))
-        .collect();
-    assert!(
-        silent.is_empty(),
-        "no line \"- Error: …\":\n{}",
-        silent.join("\n")
-    );
-}
-
-#[test]
-fn no_bound_is_exceeded() {
-    let items = public_items();
-    let mut complaints = Vec::new();
-    for measured in MEASURED {
-        let Measured {
-            path, unit, most, ..
-        } = measured;
-        if !items.iter().any(|item| item.path == *path) {
-            complaints.push(format!("there is no {path}"));
-        }
-        let worst = worst(measured);
-        if !(worst > 0.0 && worst <= *most) {
-            complaints.push(format!("{path}: {worst} ε · {unit}, the bound is {most}"));
-        }
-    }
-    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
-}
-
-#[test]
-fn the_table_is_current() {
-    let committed = fs::read_to_string(file()).unwrap_or_default();
-    assert!(
-        committed == table(&public_items()),
-        "cargo test -p ombra-tests --test error_bounds -- --ignored, and commit notes/src/error-bounds.md"
-    );
-}
-
-#[test]
-#[ignore = "writes the table"]
-fn write_the_table() {
-    fs::write(file(), table(&public_items())).unwrap();
 }
