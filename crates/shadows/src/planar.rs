@@ -33,11 +33,13 @@ pub mod any_plane;
 mod error;
 pub mod light_at_infinity;
 pub mod limits;
+mod placement;
 pub mod point_light;
 pub mod textbook;
 
 pub use any_plane::{cast, cast_plain, counted, shadow_matrix};
 pub use error::PlanarShadowError;
 pub use light_at_infinity::ground_matrix_directional;
-pub use limits::{Placement, cast_onto, cast_polygon, cast_polygon_each, classify};
+pub use limits::{cast_onto, cast_polygon, cast_polygon_each};
+pub use placement::{Placement, classify};
 pub use point_light::ground_matrix_point;

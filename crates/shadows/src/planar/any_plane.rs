@@ -17,7 +17,7 @@ use ombra_math::scaling::normalised;
 use ombra_math::work::{Count, Counter};
 
 use super::error::{PlanarShadowError, check_light};
-use super::limits::{Placement, classify};
+use super::placement::{Placement, classify, towards_place};
 
 /// [`cast`] as the lecture has it, every product and sum exact: the oracle of the fast one.
 ///
@@ -237,12 +237,6 @@ fn entries(pi: DVec4, l: DVec4) -> DMat4 {
         column
     };
     DMat4::from_cols(column(0), column(1), column(2), column(3))
-}
-
-/// The light with w ≥ 0: −L is the same place.
-#[inline]
-pub(super) fn towards_place(light: DVec4) -> DVec4 {
-    if light.w < 0.0 { -light } else { light }
 }
 
 #[cfg(test)]

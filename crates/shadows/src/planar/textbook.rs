@@ -8,7 +8,7 @@ use ombra_math::glam::{DVec3, DVec4};
 use ombra_math::plane::Plane;
 use ombra_math::work::{Count, Counter};
 
-use super::any_plane::towards_place;
+use super::placement::towards_place;
 
 /// The shadow of `v` by the quotient form in doubles, or `None` where there is none.
 ///

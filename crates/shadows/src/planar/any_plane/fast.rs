@@ -6,7 +6,8 @@ use ombra_math::homogeneous::point;
 use ombra_math::plane::Plane;
 use ombra_math::work::{Count, Counter};
 
-use super::{cast_plain, towards_place};
+use super::cast_plain;
+use crate::planar::placement::towards_place;
 
 /// The shadow of `v` on `plane`: [`cast`](super::cast()), counting its work.
 ///

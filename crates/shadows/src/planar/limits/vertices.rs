@@ -6,15 +6,7 @@ use ombra_math::homogeneous::point;
 use ombra_math::plane::Plane;
 use ombra_math::scaling::common;
 
-/// s − L_w t, where the plane's d has cancelled.
-pub(super) fn denominator(plane: Plane, light: DVec4, v: DVec3) -> Sum {
-    let mut sum = Sum::default();
-    for i in 0..3 {
-        sum.add([plane.normal[i], light[i], 1.0]);
-        sum.add([-plane.normal[i], light.w, v[i]]);
-    }
-    sum
-}
+use crate::planar::placement::denominator;
 
 /// s V_j − t L_j.
 fn numerator(plane: Plane, light: DVec4, v: DVec3, j: usize) -> Sum {
