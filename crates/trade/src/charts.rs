@@ -8,20 +8,28 @@ use crate::deviation::Measure;
 use crate::error::TradeError;
 use crate::report::{Measured, Report, Row};
 
-/// The charts of every sweep that have anything to show.
-pub fn draw(report: &Report, style: &Style) -> Result<Vec<Drawing>, TradeError> {
-    let charts = report.sweeps.iter().flat_map(|sweep| {
-        let errors = report.errors.iter().enumerate();
-        let mut charts: Vec<_> = errors
-            .map(|(i, &measure)| error_over_knob(report, sweep, measure, i == 0))
-            .collect();
-        charts.push(time_over_knob(report, sweep));
-        charts.push(work_over_knob(report, sweep));
-        charts.push(against_cost(report, sweep));
-        charts
-    });
-    let shown = charts.filter(|chart| chart.series.iter().any(|series| !series.points.is_empty()));
-    shown.map(|chart| Ok(chart.draw(style)?)).collect()
+impl Report {
+    /// The charts: for each sweep the errors, the time and perhaps the counted work over the knob, and cost against
+    /// error with the Pareto front.
+    ///
+    /// # Errors
+    ///
+    /// [`TradeError::Figure`] when a chart cannot be drawn.
+    pub fn charts(&self, style: &Style) -> Result<Vec<Drawing>, TradeError> {
+        let charts = self.sweeps.iter().flat_map(|sweep| {
+            let errors = self.errors.iter().enumerate();
+            let mut charts: Vec<_> = errors
+                .map(|(i, &measure)| error_over_knob(self, sweep, measure, i == 0))
+                .collect();
+            charts.push(time_over_knob(self, sweep));
+            charts.push(work_over_knob(self, sweep));
+            charts.push(against_cost(self, sweep));
+            charts
+        });
+        let shown =
+            charts.filter(|chart| chart.series.iter().any(|series| !series.points.is_empty()));
+        shown.map(|chart| Ok(chart.draw(style)?)).collect()
+    }
 }
 
 /// A curve a technique: its error over the knob. It ends where answers go missing; one that never begins stays in the

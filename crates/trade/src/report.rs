@@ -3,18 +3,13 @@
 #[cfg(test)]
 pub(crate) mod made_up;
 mod table;
+mod written;
 
 use core::fmt::Write as _;
-use std::path::{Path, PathBuf};
 
-use ombra_figures::drawing::Drawing;
-use ombra_figures::style::{Format, Style};
-use ombra_figures::{png, svg, write};
 use ombra_math::work::{Counter, Work};
 
-use crate::charts;
 use crate::deviation::{Deviation, Measure};
-use crate::error::TradeError;
 use crate::statistics::Quartiles;
 
 /// What a run of a study found.
@@ -135,53 +130,6 @@ impl Report {
             self.study
         );
         text
-    }
-
-    /// The charts: for each sweep the errors, the time and perhaps the counted work over the knob, and cost against
-    /// error with the Pareto front.
-    ///
-    /// # Errors
-    ///
-    /// [`TradeError::Figure`] when a chart cannot be drawn.
-    pub fn charts(&self, style: &Style) -> Result<Vec<Drawing>, TradeError> {
-        charts::draw(self, style)
-    }
-
-    /// Writes `results.csv`, `advice.md` and the charts into `folder`, and names the files.
-    ///
-    /// # Errors
-    ///
-    /// [`TradeError::Figure`]. Everything is drawn before the first file is written, and the files come together, as by
-    /// [`write::together`].
-    pub fn write(
-        &self,
-        folder: &Path,
-        style: &Style,
-        formats: &[Format],
-    ) -> Result<Vec<PathBuf>, TradeError> {
-        let mut files = vec![
-            (folder.join("results.csv"), self.csv().into_bytes()),
-            (
-                folder.join("advice.md"),
-                self.advice_markdown().into_bytes(),
-            ),
-        ];
-        for drawing in self.charts(style)? {
-            let name = drawing.id.rsplit('/').next().unwrap_or(&drawing.id);
-            for &format in formats {
-                let bytes = match format {
-                    Format::Svg => svg::svg(&drawing)?.into_bytes(),
-                    Format::Png => png::png(&drawing)?,
-                };
-                files.push((folder.join(format!("{name}.{format}")), bytes));
-            }
-        }
-        let pairs: Vec<(&Path, &[u8])> = files
-            .iter()
-            .map(|(path, bytes)| (path.as_path(), bytes.as_slice()))
-            .collect();
-        write::together(&pairs)?;
-        Ok(files.into_iter().map(|(path, _)| path).collect())
     }
 }
 

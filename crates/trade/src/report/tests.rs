@@ -1,3 +1,6 @@
+use ombra_figures::drawing::Drawing;
+use ombra_figures::style::{Format, Style};
+
 use super::*;
 use ombra_math::work::Count;
 use std::fs;

@@ -1,6 +1,7 @@
 //! 100 352 triangles of a bumpy sphere into a z-buffer: with colours, and depth alone as for a shadow map.
 
 mod euc;
+mod euc_buffers;
 mod form;
 mod limit;
 pub mod llvmpipe;

@@ -1,43 +1,18 @@
 //! euc with the same flat colour, and with depth alone.
 
-use ::euc::buffer::Buffer2d;
 use ::euc::rasterizer::{BackfaceCullingDisabled, BackfaceCullingEnabled, BackfaceMode, Triangles};
 use ::euc::{Interpolate, Pipeline, Target};
 use ombra_math::glam::{Mat4, Vec3};
 
+use super::euc_buffers::{BACKGROUND, Buffers, FARTHEST};
 use super::mesh::Ball;
-use super::picture::{BACKGROUND, Drawn, FARTHEST, Picture};
+use super::picture::{Drawn, Picture};
 
 pub struct Euc {
     positions: Vec<Vec3>,
     /// Its form of indices: one a corner, here with the colour of its triangle.
     corners: Vec<Corner>,
     to_clip: Mat4,
-}
-
-/// It draws into memory of its own.
-pub struct Buffers {
-    pub colour: Buffer2d<[u8; 4]>,
-    /// z / w, −1 … 1.
-    pub depth: Buffer2d<f32>,
-    /// What stands for a colour where depth alone is drawn: takes no memory.
-    none: Buffer2d<()>,
-}
-
-impl Buffers {
-    pub fn new(size: u32, coloured: bool) -> Self {
-        let size = [size as usize; 2];
-        Self {
-            colour: Buffer2d::new(if coloured { size } else { [0; 2] }, BACKGROUND),
-            depth: Buffer2d::new(size, FARTHEST),
-            none: Buffer2d::new(size, ()),
-        }
-    }
-
-    pub fn clear(&mut self) {
-        self.colour.clear(BACKGROUND);
-        self.depth.clear(FARTHEST);
-    }
 }
 
 #[derive(Clone, Copy)]

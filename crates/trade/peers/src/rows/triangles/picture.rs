@@ -5,12 +5,10 @@ use ombra_hsr::z_buffer::{Depth32F, DepthBuffer};
 use crate::measured::Shown;
 use crate::race::Scene;
 
-use super::euc::Buffers;
+use super::euc_buffers::Buffers;
 use super::mesh::{FAR, NEAR};
 
-/// Nothing drawn: the colour, and the depth of the far plane.
-pub const BACKGROUND: [u8; 4] = [0, 0, 0, 255];
-pub const FARTHEST: f32 = 1.0;
+pub use super::euc_buffers::{BACKGROUND, FARTHEST};
 
 /// Colour and depth, lent to each contestant.
 pub struct Picture {
