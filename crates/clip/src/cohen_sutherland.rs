@@ -7,7 +7,6 @@
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../figures/cohen-sutherland-steps.svg"))]
 
-use core::cmp::Ordering;
 use core::iter::successors;
 
 use ombra_math::glam::DVec2;
@@ -80,22 +79,18 @@ fn first_difference([a, b]: [Outcode; 2]) -> Option<Side> {
 fn crossing(window: &Window, given: Segment, side: Side) -> (DVec2, Outcode) {
     let line = window.line(side);
     let p = cut(given, line);
-    let beyond = |along: f64, limit: f64, side: Side, way: Ordering| {
-        if compare(given, line, along, limit) == way {
-            Outcode::of(side)
-        } else {
-            Outcode::INSIDE
-        }
+    let [_, [low, high]] = line.turn(window.min, window.max);
+    let [_, [along, _]] = line.turn(p, p);
+    let [below, above] = match line {
+        Line::Vertical(_) => [Outcode::BELOW, Outcode::ABOVE],
+        Line::Horizontal(_) => [Outcode::LEFT, Outcode::RIGHT],
     };
-    let code = match line {
-        Line::Vertical(_) => {
-            beyond(p.y, window.max.y, Side::Above, Ordering::Greater)
-                | beyond(p.y, window.min.y, Side::Below, Ordering::Less)
-        }
-        Line::Horizontal(_) => {
-            beyond(p.x, window.max.x, Side::Right, Ordering::Greater)
-                | beyond(p.x, window.min.x, Side::Left, Ordering::Less)
-        }
+    let code = if compare(given, line, along, high).is_gt() {
+        above
+    } else if compare(given, line, along, low).is_lt() {
+        below
+    } else {
+        Outcode::INSIDE
     };
     (p, code)
 }

@@ -48,7 +48,7 @@ impl Lanes for DVec2 {
 
     #[inline(always)]
     fn less(self, other: Self) -> Mask {
-        less(self, other)
+        [all_ones(self.x < other.x), all_ones(self.y < other.y)]
     }
 
     #[inline(always)]
@@ -106,12 +106,6 @@ pub(crate) type Mask = [u64; 2];
 #[inline]
 fn all_ones(yes: bool) -> u64 {
     u64::from(yes).wrapping_neg()
-}
-
-/// a < b, lane by lane; not for NaN.
-#[inline]
-pub(crate) fn less(a: DVec2, b: DVec2) -> Mask {
-    [all_ones(a.x < b.x), all_ones(a.y < b.y)]
 }
 
 /// a ≤ b, lane by lane; not for NaN.

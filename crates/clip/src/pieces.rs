@@ -88,9 +88,7 @@ fn around(window: &Window, winding: i64) -> Vec<Vec<DVec2>> {
     if winding < 0 {
         corners.reverse();
     }
-    (0..winding.unsigned_abs())
-        .map(|_| corners.clone())
-        .collect()
+    vec![corners; winding.unsigned_abs() as usize]
 }
 
 /// The parts of a polygon in `window`, each a polygon of its own.

@@ -5,12 +5,12 @@ use ombra_math::work::{Count, Counter};
 
 use super::clip_segment_plain;
 use crate::crossing::several_at;
-use crate::lanes::{Mask, and, at_most, less, negative, not, opaque, or, select, turn};
+use crate::lanes::{Lanes, Mask, and, at_most, negative, not, opaque, or, select, turn};
 use crate::segment::Segment;
 use crate::window::Window;
 
-/// [`clip_segment`](super::clip_segment), counting its [work](crate#counted-work): where the codes leave any doubt, that of a crossing for
-/// each end, for both are computed at once.
+/// [`clip_segment`](super::clip_segment), counting its [work](crate#counted-work): where the codes leave any doubt, that
+/// of a crossing for each end, for both are computed at once.
 #[inline]
 #[must_use]
 pub fn clip_segment(window: &Window, segment: Segment, work: &mut impl Count) -> Option<Segment> {
@@ -87,7 +87,7 @@ fn two_entries(
     let corner_y = ay.max(min_y).min(max_y) + 0.0;
     let (dx, dy) = ((bx - ax).abs(), (by - ay).abs());
     let upright = opaque(and(
-        less(within_x, DVec2::ZERO),
+        within_x.less(DVec2::ZERO),
         at_most(within_x * dy, within_y * dx),
     ));
     // Turn the plane so that this line is upright.
@@ -98,10 +98,10 @@ fn two_entries(
     let [_, high] = turn(upright, max_x, max_y);
     let (along, rounded) = several_at(c, [a, b], [along_a, along_b]);
     // In the window, and not at a corner.
-    let certain = and(rounded, and(less(low, along), less(along, high)));
+    let certain = and(rounded, and(low.less(along), along.less(high)));
     // Beyond a side that the end is not beyond, it misses. At a corner, rounding may have chosen the wrong line.
-    let below = and(less(along, low), at_most(low, along_a));
-    let above = and(less(high, along), at_most(along_a, high));
+    let below = and(along.less(low), at_most(low, along_a));
+    let above = and(high.less(along), at_most(along_a, high));
     (
         turn(upright, c, along),
         certain,

@@ -222,12 +222,8 @@ impl<'a> Pipeline<'a> {
     ) -> (u8, f64) {
         let (a, b) = (a & RIGHT_OR_LEFT, b & RIGHT_OR_LEFT);
         if a == b {
-            let x = if edge.a.x == edge.b.x {
-                edge.a.x
-            } else {
-                f64::NAN
-            };
-            return (a, x);
+            let upright = edge.a.x == edge.b.x;
+            return (a, if upright { edge.a.x } else { f64::NAN });
         }
         let sides = [
             (RIGHT, self.window.max.x, Ordering::Greater),
