@@ -193,7 +193,7 @@ mod tests {
             (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
         };
         let (mut compared, mut worst) = (0, [0.0f64; 2]);
-        while compared < 60 {
+        while compared < 200 {
             let mut vector = || DVec3::new(unit(), unit(), unit());
             let (mut v, normal, l) = (vector(), vector(), vector() * 9.0);
             let mut plane = Plane { normal, d: unit() };
@@ -201,7 +201,13 @@ mod tests {
             match compared % 5 {
                 // A vertex almost on the plane, a light almost along it, both far from the origin.
                 0 => plane.d = -normal.dot(v) * (1.0 + 1e-9 * unit()),
-                1 if light.w != 0.0 => plane.d = -normal.dot(l) / light.w * (1.0 + 1e-9 * unit()),
+                1 if light.w != 0.0 => {
+                    // The vertex half as high above the plane: hardly any other has a shadow.
+                    let place = l / light.w;
+                    plane.d = -normal.dot(place) * (1.0 + 1e-9 * unit());
+                    let middle = 0.5 * (normal.dot(place) + plane.d);
+                    v -= normal * (normal.dot(v) + plane.d - middle) / normal.length_squared();
+                }
                 2 => {
                     let far = DVec3::splat(1e6);
                     v += far;
