@@ -144,6 +144,7 @@ mod tests {
     use super::super::cast;
     use super::*;
     use ombra_math::work::Work;
+    use ombra_oracle::Exact;
     use proptest::prelude::*;
 
     type Form = fn(Plane, DVec4, DVec3) -> Option<DVec3>;
@@ -179,12 +180,11 @@ mod tests {
         }
     }
 
-    /// Both stated bounds, in rationals, with cancellation and without; the worst shares are printed.
+    /// Both stated bounds, in exact numbers, with cancellation and without; the worst shares are printed.
     #[test]
     fn errors_stay_within_the_bounds() {
-        use num_rational::BigRational as Q;
-        let q = |x: f64| Q::from_float(x).unwrap();
-        let abs = |x: Q| if x < q(0.0) { -x } else { x };
+        let q = |x: f64| Exact::new(x).unwrap();
+        let quotient = |x: &Exact, y: &Exact| x.over(y).unwrap();
         let mut seed = 1u64;
         let mut unit = move || {
             seed = seed
@@ -226,11 +226,11 @@ mod tests {
             let light = towards_place(light);
             let pi = plane.coefficients();
             let products = |p: DVec4| [0, 1, 2, 3].map(|i| q(pi[i]) * q(p[i]));
-            let total = |x: [Q; 4]| x.into_iter().fold(q(0.0), |a, b| a + b);
+            let total = |x: [Exact; 4]| x.into_iter().sum::<Exact>();
             let (at_light, at_vertex) = (products(light), products(v.extend(1.0)));
             let (big_s, big_t) = (
-                total(at_light.clone().map(abs)),
-                total(at_vertex.clone().map(abs)),
+                total(at_light.each_ref().map(Exact::abs)),
+                total(at_vertex.each_ref().map(Exact::abs)),
             );
             let (s, t) = (total(at_light), total(at_vertex));
             let w = &s - q(light.w) * &t;
@@ -238,38 +238,31 @@ mod tests {
             let eps = q(f64::EPSILON);
             for j in 0..3 {
                 let (vj, lj) = (q(v[j]), q(light[j]));
-                let right = (&s * &vj - &t * &lj) / &w;
-                let size = abs(right.clone());
-                let first = q(3.0)
-                    * (&big_s * abs(vj.clone()) + &big_t * abs(lj.clone()) + &big_w * &size)
-                    / abs(w.clone())
-                    + q(0.5) * &size;
+                let right = quotient(&(&s * &vj - &t * &lj), &w);
+                let size = right.abs();
+                let terms = &big_s * vj.abs() + &big_t * lj.abs() + &big_w * &size;
+                let first = quotient(&(q(3.0) * terms), &w.abs()) + q(0.5) * &size;
                 let (n, d, big_n, big_d, ray, start) = if light.w == 0.0 {
                     (&t, &s, &big_t, &big_s, lj, vj)
                 } else {
-                    let place = lj / q(light.w);
+                    let place = quotient(&lj, &q(light.w));
                     (&s, &w, &big_s, &big_w, vj - &place, place)
                 };
-                let (k, d, start) = (abs(n / d), abs(d.clone()), abs(start));
-                let second =
-                    q(4.0) * ((big_n + &k * big_d) * abs(ray) / d + &k * &start + start + &size);
+                let (k, start) = (quotient(n, d).abs(), start.abs());
+                let along = quotient(&((big_n + &k * big_d) * ray.abs()), &d.abs());
+                let second = q(4.0) * (along + &k * &start + start + &size);
                 for (form, (p, bound)) in [(by_quotient, first), (by_parameter, second)]
                     .into_iter()
                     .enumerate()
                 {
-                    let off = abs(q(p[j]) - &right);
+                    let off = (q(p[j]) - &right).abs();
                     // First-order bounds: a thousandth for the products of two roundings.
-                    let share = off / (&bound * &eps * q(1.001));
+                    let bound = bound * &eps * q(1.001);
                     assert!(
-                        share <= q(1.0),
+                        off <= bound,
                         "form {form}, {plane:?} {light} {v}: {p} for {exact}"
                     );
-                    let per_mille = (share * q(1000.0))
-                        .to_integer()
-                        .to_string()
-                        .parse::<f64>()
-                        .unwrap();
-                    worst[form] = worst[form].max(per_mille / 1000.0);
+                    worst[form] = worst[form].max(off.ratio(&bound));
                 }
             }
         }
