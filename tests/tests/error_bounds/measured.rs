@@ -1,7 +1,5 @@
 //! One random case of each, in units of ε.
 
-use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
 use ombra_clip::{Segment, crossing};
 use ombra_hsr::z_buffer::precision::depth_at;
 use ombra_math::exact;
@@ -10,12 +8,12 @@ use ombra_math::homogeneous::{incidence, project};
 use ombra_math::plane::Plane;
 use ombra_math::triangle::{area, barycentric, normal};
 use ombra_math::view::{frustum, frustum_infinite, orthographic};
+use ombra_oracle::Exact;
+use ombra_oracle::vector::{cross, dot as inner, exact as point, minus};
 use ombra_raster::attributes::{linear, perspective_weights, weights};
 use ombra_raster::triangle::edge_function;
 use ombra_shadows::planar::{cast, shadow_matrix};
 use ombra_tests::cases::Random;
-
-type Q = BigRational;
 
 /// A measured bound: the worst of one random case, in units of ε times what `unit` says.
 pub struct Measured {
@@ -55,7 +53,7 @@ pub fn worst(measured: &Measured) -> f64 {
 pub const MEASURED: &[Measured] = &[
     of("ombra_clip::crossing::at_x", "|value|", 0.5, crossing_at_x),
     of("ombra_hsr::z_buffer::precision::depth_at", "|value|", 2.5, depth),
-    of("ombra_math::exact::Sum::quotient", "|value|", 0.5, quotient),
+    of("ombra_math::exact::Sum::quotient", "|value|", 0.5, quotient_of_sums),
     of("ombra_math::exact::dot", "|value|", 1.0, dot),
     of("ombra_math::homogeneous::incidence", "|value|", 1.0, plane_and_point),
     of("ombra_math::homogeneous::project", "|coordinate|", 0.5, projected),
@@ -74,22 +72,29 @@ pub const MEASURED: &[Measured] = &[
     of("ombra_shadows::planar::shadow_matrix", "Σ of an entry's |terms|", 2.0, matrix),
 ];
 
-fn q(x: f64) -> Q {
-    Q::from_float(x).unwrap_or_else(|| panic!("{x} is no number"))
+fn q(x: f64) -> Exact {
+    Exact::new(x).unwrap_or_else(|| panic!("{x} is no number"))
+}
+
+fn q3(v: DVec3) -> [Exact; 3] {
+    point(v).unwrap_or_else(|| panic!("{v} is no point"))
+}
+
+/// x / y, which must not be 0.
+fn quotient(x: &Exact, y: &Exact) -> Exact {
+    x.over(y).unwrap_or_else(|| panic!("{x} by 0"))
 }
 
 /// |computed − exact| in units of ε times `scale`; what is exactly 0 must be 0.
-fn off(computed: f64, exact: &Q, scale: &Q) -> f64 {
+fn off(computed: f64, exact: &Exact, scale: &Exact) -> f64 {
     let error = (q(computed) - exact).abs();
     if error.is_zero() {
         return 0.0;
     }
-    (error / scale / q(f64::EPSILON))
-        .to_f64()
-        .unwrap_or(f64::INFINITY)
+    error.ratio(scale) / f64::EPSILON
 }
 
-fn relative(computed: f64, exact: &Q) -> f64 {
+fn relative(computed: f64, exact: &Exact) -> f64 {
     let error = q(computed) - exact;
     match (error.is_zero(), exact.is_zero()) {
         (true, _) => 0.0,
@@ -99,30 +104,14 @@ fn relative(computed: f64, exact: &Q) -> f64 {
 }
 
 /// The relative error of `computed` as the square root of `square`: with r = computed² / square, √r − 1.
-fn of_root(computed: f64, square: &Q) -> f64 {
+fn of_root(computed: f64, square: &Exact) -> f64 {
     if square.is_zero() {
         return if computed == 0.0 { 0.0 } else { f64::INFINITY };
     }
-    let x = q(computed) * q(computed) / square - Q::from_integer(1.into());
-    let x = x.to_f64().unwrap_or(f64::INFINITY);
+    let x = (q(computed).squared() - square).ratio(square);
     (x / 2.0 - x * x / 8.0).abs() / f64::EPSILON
 }
 
-fn q3(v: DVec3) -> [Q; 3] {
-    v.to_array().map(q)
-}
-fn minus(a: &[Q; 3], b: &[Q; 3]) -> [Q; 3] {
-    std::array::from_fn(|i| &a[i] - &b[i])
-}
-fn cross(a: &[Q; 3], b: &[Q; 3]) -> [Q; 3] {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        &a[j] * &b[k] - &a[k] * &b[j]
-    })
-}
-fn inner(a: &[Q; 3], b: &[Q; 3]) -> Q {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
-}
 fn most(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
 }
@@ -161,7 +150,7 @@ fn triangle(random: &mut Random) -> [DVec3; 3] {
     }
     [a, b, c]
 }
-fn value_of(plane: Plane, p: DVec3) -> Q {
+fn value_of(plane: Plane, p: DVec3) -> Exact {
     inner(&q3(plane.normal), &q3(p)) + q(plane.d)
 }
 
@@ -176,28 +165,33 @@ fn distance(random: &mut Random) -> f64 {
     let (plane, p) = plane_and_near(random);
     let (value, n) = (value_of(plane, p), q3(plane.normal));
     let computed = plane.signed_distance(p);
-    assert_eq!(computed < 0.0, value.is_negative(), "the sign is exact");
-    of_root(computed, &(&value * &value / inner(&n, &n)))
+    assert_eq!(computed < 0.0, value < 0, "the sign is exact");
+    of_root(computed, &quotient(&value.squared(), &inner(&n, &n)))
 }
 fn dot(random: &mut Random) -> f64 {
     let (plane, p) = plane_and_near(random);
     let (f, e) = exact::dot(plane.coefficients(), p.extend(1.0));
     relative(f * 2.0_f64.powi(e), &value_of(plane, p))
 }
-fn quotient(random: &mut Random) -> f64 {
+fn quotient_of_sums(random: &mut Random) -> f64 {
     let [a, b] = [(); 2].map(|()| [(); 3].map(|()| [(); 3].map(|()| number(random))));
-    let sum = |terms: &[[f64; 3]; 3]| terms.iter().map(|t| q(t[0]) * q(t[1]) * q(t[2])).sum::<Q>();
+    let sum = |terms: &[[f64; 3]; 3]| {
+        terms
+            .iter()
+            .map(|t| q(t[0]) * q(t[1]) * q(t[2]))
+            .sum::<Exact>()
+    };
     let computed = exact::Sum::of(&a).quotient(&exact::Sum::of(&b));
-    relative(computed, &(sum(&a) / sum(&b)))
+    relative(computed, &quotient(&sum(&a), &sum(&b)))
 }
 fn projected(random: &mut Random) -> f64 {
     let p = vector(random).extend(number(random));
     let Some(point) = project(p) else {
         return f64::INFINITY;
     };
-    most((0..3).map(|i| relative(point[i], &(q(p[i]) / q(p.w)))))
+    most((0..3).map(|i| relative(point[i], &quotient(&q(p[i]), &q(p.w)))))
 }
-fn exact_normal([a, b, c]: [DVec3; 3]) -> [Q; 3] {
+fn exact_normal([a, b, c]: [DVec3; 3]) -> [Exact; 3] {
     let [a, b, c] = [a, b, c].map(q3);
     cross(&minus(&b, &a), &minus(&c, &a))
 }
@@ -209,7 +203,7 @@ fn triangle_normal(random: &mut Random) -> f64 {
 fn triangle_area(random: &mut Random) -> f64 {
     let [a, b, c] = triangle(random);
     let n = exact_normal([a, b, c]);
-    of_root(area(a, b, c), &(inner(&n, &n) / q(4.0)))
+    of_root(area(a, b, c), &inner(&n, &n).scaled(-2))
 }
 fn coordinates(random: &mut Random) -> f64 {
     let ([a, b, c], p) = (triangle(random), random.direction());
@@ -220,15 +214,13 @@ fn coordinates(random: &mut Random) -> f64 {
     };
     let own = [[p, b, c], [a, p, c], [a, b, p]].map(exact_normal);
     most((0..3).map(|i| {
-        let error = (q(computed[i]) - inner(&own[i], &n) / &square) / q(f64::EPSILON);
-        let scale = inner(&own[i], &own[i]) / &square;
-        (&error * &error / scale)
-            .to_f64()
-            .map_or(f64::INFINITY, f64::sqrt)
+        let error = q(computed[i]) - quotient(&inner(&own[i], &n), &square);
+        let scale = quotient(&inner(&own[i], &own[i]), &square);
+        error.squared().ratio(&scale).sqrt() / f64::EPSILON
     }))
 }
 
-fn entries(computed: DMat4, rows: [[Q; 4]; 4]) -> f64 {
+fn entries(computed: DMat4, rows: [[Exact; 4]; 4]) -> f64 {
     most((0..16).map(|k| relative(computed.col(k % 4)[k / 4], &rows[k / 4][k % 4])))
 }
 /// l, r, b, t, n, f: differences that cancel, in one of three cases f next to n.
@@ -251,13 +243,23 @@ fn frustum_entries(random: &mut Random) -> f64 {
     entries(
         m,
         [
-            [&two * &n / (&r - &l), o(), (&r + &l) / (&r - &l), o()],
-            [o(), &two * &n / (&t - &b), (&t + &b) / (&t - &b), o()],
+            [
+                quotient(&(&two * &n), &(&r - &l)),
+                o(),
+                quotient(&(&r + &l), &(&r - &l)),
+                o(),
+            ],
+            [
+                o(),
+                quotient(&(&two * &n), &(&t - &b)),
+                quotient(&(&t + &b), &(&t - &b)),
+                o(),
+            ],
             [
                 o(),
                 o(),
-                -(&f + &n) / (&f - &n),
-                -(&two * &f * &n) / (&f - &n),
+                -quotient(&(&f + &n), &(&f - &n)),
+                -quotient(&(&two * &f * &n), &(&f - &n)),
             ],
             [o(), o(), q(-1.0), o()],
         ],
@@ -272,8 +274,18 @@ fn infinite_entries(random: &mut Random) -> f64 {
     entries(
         m,
         [
-            [&two * &n / (&r - &l), o(), (&r + &l) / (&r - &l), o()],
-            [o(), &two * &n / (&t - &b), (&t + &b) / (&t - &b), o()],
+            [
+                quotient(&(&two * &n), &(&r - &l)),
+                o(),
+                quotient(&(&r + &l), &(&r - &l)),
+                o(),
+            ],
+            [
+                o(),
+                quotient(&(&two * &n), &(&t - &b)),
+                quotient(&(&t + &b), &(&t - &b)),
+                o(),
+            ],
             [o(), o(), q(-1.0), -(&two * &n)],
             [o(), o(), q(-1.0), o()],
         ],
@@ -288,9 +300,24 @@ fn orthographic_entries(random: &mut Random) -> f64 {
     entries(
         m,
         [
-            [&two / (&r - &l), o(), o(), -(&r + &l) / (&r - &l)],
-            [o(), &two / (&t - &b), o(), -(&t + &b) / (&t - &b)],
-            [o(), o(), -&two / (&f - &n), -(&f + &n) / (&f - &n)],
+            [
+                quotient(&two, &(&r - &l)),
+                o(),
+                o(),
+                -quotient(&(&r + &l), &(&r - &l)),
+            ],
+            [
+                o(),
+                quotient(&two, &(&t - &b)),
+                o(),
+                -quotient(&(&t + &b), &(&t - &b)),
+            ],
+            [
+                o(),
+                o(),
+                -quotient(&two, &(&f - &n)),
+                -quotient(&(&f + &n), &(&f - &n)),
+            ],
             [o(), o(), o(), q(1.0)],
         ],
     )
@@ -299,7 +326,7 @@ fn orthographic_entries(random: &mut Random) -> f64 {
 fn plane_triangle(random: &mut Random) -> [DVec2; 3] {
     triangle(random).map(DVec3::truncate)
 }
-fn turn(a: DVec2, b: DVec2, p: DVec2) -> [Q; 2] {
+fn turn(a: DVec2, b: DVec2, p: DVec2) -> [Exact; 2] {
     let [ax, ay, bx, by, px, py] = [a.x, a.y, b.x, b.y, p.x, p.y].map(q);
     [(&bx - &ax) * (&py - &ay), (&by - &ay) * (&px - &ax)]
 }
@@ -319,12 +346,12 @@ fn on_screen(random: &mut Random) -> f64 {
         return if whole.is_zero() { 0.0 } else { f64::INFINITY };
     };
     let exact = [value(b, c, p), value(c, a, p), value(a, b, p)];
-    most((0..3).map(|i| relative(computed[i], &(&exact[i] / &whole))))
+    most((0..3).map(|i| relative(computed[i], &quotient(&exact[i], &whole))))
 }
 fn mixture(random: &mut Random) -> f64 {
     let (by, values) = (vector(random), vector(random));
-    let terms: [Q; 3] = std::array::from_fn(|i| q(by[i]) * q(values[i]));
-    let scale = terms.iter().map(Signed::abs).sum::<Q>();
+    let terms: [Exact; 3] = std::array::from_fn(|i| q(by[i]) * q(values[i]));
+    let scale = terms.iter().map(Exact::abs).sum::<Exact>();
     off(linear(by, values.to_array()), &terms.iter().sum(), &scale)
 }
 fn in_perspective(random: &mut Random) -> f64 {
@@ -332,9 +359,9 @@ fn in_perspective(random: &mut Random) -> f64 {
     let Some(computed) = perspective_weights(by, w.to_array()) else {
         return f64::INFINITY;
     };
-    let parts: [Q; 3] = std::array::from_fn(|i| q(by[i]) / q(w[i]));
-    let whole = parts.iter().sum::<Q>();
-    most((0..3).map(|i| relative(computed[i], &(&parts[i] / &whole))))
+    let parts: [Exact; 3] = std::array::from_fn(|i| quotient(&q(by[i]), &q(w[i])));
+    let whole = parts.iter().sum::<Exact>();
+    most((0..3).map(|i| relative(computed[i], &quotient(&parts[i], &whole))))
 }
 fn crossing_at_x(random: &mut Random) -> f64 {
     let [a, b] = [(); 2].map(|()| DVec2::new(number(random), number(random)));
@@ -345,7 +372,7 @@ fn crossing_at_x(random: &mut Random) -> f64 {
     let [ax, ay, bx, by, x] = [a.x, a.y, b.x, b.y, x].map(q);
     relative(
         computed,
-        &((&ay * (&bx - &x) + &by * (&x - &ax)) / (&bx - &ax)),
+        &quotient(&(&ay * (&bx - &x) + &by * (&x - &ax)), &(&bx - &ax)),
     )
 }
 fn depth(random: &mut Random) -> f64 {
@@ -360,7 +387,7 @@ fn depth(random: &mut Random) -> f64 {
         return f64::INFINITY;
     };
     let [n, f, z] = [near, far, distance].map(q);
-    relative(computed, &(&f * (&z - &n) / (&z * (&f - &n))))
+    relative(computed, &quotient(&(&f * (&z - &n)), &(&z * (&f - &n))))
 }
 fn shadow(random: &mut Random) -> f64 {
     let ((plane, v), light) = (
@@ -374,7 +401,12 @@ fn shadow(random: &mut Random) -> f64 {
     let s = inner(&q3(plane.normal), &l) + q(plane.d) * &w;
     let t = value_of(plane, v);
     let denominator = &s - &w * &t;
-    most((0..3).map(|i| relative(computed[i], &((&s * q(v[i]) - &t * &l[i]) / &denominator))))
+    most((0..3).map(|i| {
+        relative(
+            computed[i],
+            &quotient(&(&s * q(v[i]) - &t * &l[i]), &denominator),
+        )
+    }))
 }
 fn matrix(random: &mut Random) -> f64 {
     let (plane, light) = (
@@ -386,22 +418,18 @@ fn matrix(random: &mut Random) -> f64 {
     };
     // The plane is turned round where π·L < 0.
     let mut plane: DVec4 = plane.coefficients();
-    if (0..4)
-        .map(|i| q(plane[i]) * q(light[i]))
-        .sum::<Q>()
-        .is_negative()
-    {
+    if (0..4).map(|i| q(plane[i]) * q(light[i])).sum::<Exact>() < 0 {
         plane = -plane;
     }
     let entry = |i: usize, j: usize| {
         let diagonal = (0..4).filter(|_| i == j).map(|k| q(plane[k]) * q(light[k]));
         diagonal
             .chain([-(q(light[i]) * q(plane[j]))])
-            .collect::<Vec<Q>>()
+            .collect::<Vec<Exact>>()
     };
     most((0..16).map(|k| {
         let terms = entry(k / 4, k % 4);
-        let scale = terms.iter().map(Signed::abs).sum::<Q>();
+        let scale = terms.iter().map(Exact::abs).sum::<Exact>();
         off(m.col(k % 4)[k / 4], &terms.iter().sum(), &scale)
     }))
 }
