@@ -65,7 +65,9 @@
 //!                 units: 1,
 //!                 cases: vec![
 //!                     case!("added", knob, &inputs, |n, work| added(*n, work), judge),
-//!                     case!("multiplied", knob, &inputs, |n, work| multiplied(*n, work), judge),
+//!                     case!(
+//!                         "multiplied", knob, &inputs, |n, work| multiplied(*n, work), judge
+//!                     ),
 //!                 ],
 //!             }
 //!         };
