@@ -17,6 +17,34 @@ use ombra_math::work::{Count, Counter};
 
 use crate::octant::Octant;
 
+/// [`segment`] as the lecture tells it; `plot` gets the pixels, one column after another.
+///
+/// # Properties
+///
+/// Equal to [`segment`]. Its work: a multiplication, an addition and a rounding a pixel, two divisions a segment.
+///
+/// # References
+///
+/// As [`segment`].
+pub fn segment_plain(a: IVec2, b: IVec2, work: &mut impl Count, mut plot: impl FnMut(IVec2)) {
+    // Turn and mirror the segment into 0 ≤ m ≤ 1. A single point has no slope; any will do for its one column.
+    let octant = Octant::of(a, b);
+    let (dx, dy) = (f64::from(octant.run.max(1)), f64::from(octant.rise));
+    // The slope, and B with the ½ that makes the floor round to the nearest.
+    let m = dy / dx;
+    let intercept = 0.5 - 0.25 / dx;
+    work.add(Counter::Divisions, 2);
+    for x in 0..=octant.run {
+        // A multiplication and an addition give the line's y at x; cut off, it is the nearest pixel's.
+        let y = m * f64::from(x) + intercept;
+        plot(octant.pixel(x, y as u32));
+    }
+    let columns = u64::from(octant.run) + 1;
+    work.add(Counter::Multiplications, columns);
+    work.add(Counter::Additions, columns);
+    work.add(Counter::Roundings, columns);
+}
+
 /// The slide's line in its octant, and the columns still to come.
 #[derive(Clone, Debug)]
 pub struct Pixels<C = ()> {
@@ -29,7 +57,6 @@ pub struct Pixels<C = ()> {
 
 impl<C: Count> Pixels<C> {
     fn of(a: IVec2, b: IVec2, mut work: C) -> Self {
-        // Turn and mirror the segment into 0 ≤ m ≤ 1. A single point has no slope; any will do for its one column.
         let octant = Octant::of(a, b);
         let (dx, dy) = (f64::from(octant.run.max(1)), f64::from(octant.rise));
         work.add(Counter::Divisions, 2);
@@ -45,7 +72,6 @@ impl<C: Count> Pixels<C> {
     /// The pixel of column `x`.
     #[inline]
     fn at(&mut self, x: u32) -> IVec2 {
-        // A multiplication and an addition give the line's y at x; cut off, it is the nearest pixel's, for the ½ in B.
         let y = self.m * f64::from(x) + self.b;
         self.work.add(Counter::Multiplications, 1);
         self.work.add(Counter::Additions, 1);
@@ -189,6 +215,17 @@ mod tests {
         );
         #[cfg(target_pointer_width = "64")]
         assert_eq!(segment(a, b).len(), 1 << 32);
+    }
+
+    #[test]
+    fn the_plain_form_gives_the_same_pixels_for_the_same_work() {
+        for (x, y) in (-9..10).flat_map(|x| (-9..10).map(move |y| (x, y))) {
+            let (a, b) = (IVec2::new(3, -4), IVec2::new(x, y));
+            let (mut pixels, mut of_plain, mut work) = (vec![], Work::default(), Work::default());
+            segment_plain(a, b, &mut of_plain, |p| pixels.push(p));
+            assert!(counted::segment(a, b, &mut work).eq(pixels), "{b}");
+            assert_eq!(of_plain, work, "{b}");
+        }
     }
 
     #[test]
