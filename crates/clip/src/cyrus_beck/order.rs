@@ -7,6 +7,7 @@ use ombra_math::exact::{Sum, dot};
 use ombra_math::glam::DVec3;
 use ombra_math::homogeneous::point;
 use ombra_math::plane::Plane;
+use ombra_math::scaling::common;
 
 /// n·x + d as a sum of products.
 pub(super) fn products(plane: &Plane, x: DVec3) -> [[f64; 2]; 4] {
@@ -23,10 +24,11 @@ fn side(plane: &Plane, x: DVec3) -> (f64, i32) {
 pub(super) fn order(p: &Plane, q: &Plane, a: DVec3, b: DVec3) -> Ordering {
     // t_p < t_q  ⇔  |s_p(a)| |s_q(b)| < |s_q(a)| |s_p(b)|
     let product = |(f, e): (f64, i32), (g, h): (f64, i32)| (f.abs() * g.abs(), e + h);
-    let (left, e) = product(side(p, a), side(q, b));
-    let (right, h) = product(side(q, a), side(p, b));
-    // 200 binary digits are difference enough, and keep the number in range.
-    let right = libm::scalbn(right, (h - e).clamp(-200, 200));
+    let products = [
+        product(side(p, a), side(q, b)),
+        product(side(q, a), side(p, b)),
+    ];
+    let ([left, right], _) = common(products);
     let rounded = left.partial_cmp(&right).unwrap_or(Ordering::Equal);
     // Four values within ε and two products: 6ε of the larger.
     let certain = (left - right).abs() > 8.0 * f64::EPSILON * left.max(right);

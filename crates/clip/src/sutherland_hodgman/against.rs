@@ -4,6 +4,7 @@ use ombra_math::exact::{dot, relative};
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::homogeneous::{incidence, point};
 use ombra_math::plane::Plane;
+use ombra_math::scaling::{scaled, split};
 use ombra_math::work::{Count, Counter};
 
 use super::clip_by_plain;
@@ -233,8 +234,8 @@ pub fn clip_homogeneous_plain(
     let side = |p| incidence(plane, p).clamp(-f64::MAX, f64::MAX);
     let cut = |a, b, sa: f64, sb: f64| {
         // Any multiple will do: the power of two that keeps the weights below ½ costs no digit.
-        let exponent = -libm::ilogb(sa.max(-sb)) - 2;
-        b * libm::scalbn(sa, exponent) - a * libm::scalbn(sb, exponent)
+        let [sa, sb] = scaled([sa, sb], -split(sa.max(-sb)).1 - 2);
+        b * sa - a * sb
     };
     clip_by_plain(polygon, side, cut, work)
 }
