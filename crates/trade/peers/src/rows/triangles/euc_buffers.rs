@@ -1,5 +1,6 @@
 //! What is drawn on: the background of all, and the memory that euc has of its own.
 
+use ::euc::Target;
 use ::euc::buffer::Buffer2d;
 
 /// Nothing drawn: the colour, and the depth of the far plane.
