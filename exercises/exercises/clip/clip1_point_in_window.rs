@@ -29,7 +29,7 @@ fn contains(window: Window, p: DVec2) -> bool {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod clip1_point_in_window {
     use super::{Window, contains};
     use assess::{Inputs, show_point};
     use glam::DVec2;

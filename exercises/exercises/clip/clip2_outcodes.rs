@@ -57,7 +57,7 @@ fn verdict(a: u8, b: u8) -> Verdict {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod clip2_outcodes {
     use super::{Verdict, Window, outcode, verdict};
     use assess::{Inputs, show_point};
     use glam::DVec2;

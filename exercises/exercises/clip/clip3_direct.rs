@@ -33,7 +33,7 @@ fn clip(window: Window, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod clip3_direct {
     use super::{Window, clip};
     use assess::{Inputs, WindowCase, show_point};
     use glam::DVec2;

@@ -58,7 +58,7 @@ fn clip(
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod clip4_cohen_sutherland {
     use super::{Window, clip};
     use assess::{Inputs, Steps, WindowCase, show_point};
     use glam::DVec2;

@@ -51,7 +51,7 @@ fn clip_polygon(window: Window, polygon: &[DVec2]) -> Vec<DVec2> {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod clip5_polygon {
     use super::{Window, clip_against_line, clip_polygon};
     use assess::{Grid, Inputs, show_point, show_points};
     use glam::{DVec2, DVec3};

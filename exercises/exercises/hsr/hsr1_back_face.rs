@@ -22,7 +22,7 @@ fn is_front_facing(triangle: [DVec3; 3], eye: DVec4) -> bool {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod hsr1_back_face {
     use super::is_front_facing;
     use assess::{Inputs, show};
     use glam::{DVec3, DVec4};

@@ -40,7 +40,7 @@ fn draw(triangles: &[Triangle], width: usize, height: usize, far: f64) -> Buffer
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod hsr2_z_buffer {
     use super::{Buffers, Triangle, draw};
     use assess::{Inputs, show, show_number};
     use glam::{DVec3, IVec2, IVec3};

@@ -44,7 +44,7 @@ fn order(sticks: &[Stick]) -> Result<Vec<usize>, Vec<usize>> {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod hsr3_painter {
     use super::{Stick, order};
     use assess::{Inputs, show};
     use glam::DVec3;

@@ -20,7 +20,7 @@ fn triangle_normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod math1_triangle_normal {
     use super::triangle_normal;
     use assess::{Inputs, near, parallel, show};
     use glam::{DMat3, DVec3};

@@ -22,7 +22,7 @@ fn face_normal(normals: [DVec3; 3]) -> Option<DVec3> {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod math2_face_normal {
     use super::face_normal;
     use assess::{Inputs, near, near_number, parallel, show, some};
     use glam::DVec3;

@@ -42,7 +42,7 @@ fn vertex_normal(
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod math3_vertex_normals {
     use super::{Weighting, vertex_normal};
     use Weighting::{Angle, Area, Plain};
     use assess::{Inputs, is_near, near, parallel, show, some};

@@ -44,7 +44,7 @@ fn to_spherical(p: DVec3) -> Spherical {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod math4_spherical {
     use super::{Spherical, to_cartesian, to_spherical};
     use assess::{Inputs, near, near_number, show};
     use glam::DVec3;

@@ -24,7 +24,7 @@ fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod raster1_analytic_segment {
     use super::segment;
     use assess::{Grid, Inputs, Segment};
     use glam::IVec2;

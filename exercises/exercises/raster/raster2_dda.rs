@@ -38,7 +38,7 @@ fn drift(m: f32, n: u32) -> f64 {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod raster2_dda {
     use super::{drift, segment};
     use assess::{Grid, Inputs, Segment, near_number};
     use glam::IVec2;

@@ -46,7 +46,7 @@ fn trace(a: IVec2, b: IVec2, take: &mut dyn FnMut(Step)) {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod raster3_bresenham {
     use super::Choice::{E, NE};
     use super::{Step, trace};
     use assess::{Grid, Inputs, Segment, calls_within, first_calls};

@@ -27,7 +27,7 @@ fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod raster4_bresenham_octants {
     use super::segment;
     use assess::{Grid, Inputs, Segment};
     use glam::IVec2;

@@ -35,7 +35,7 @@ fn fill(min: IVec2, max: IVec2, plot: &mut dyn FnMut(i32, i32)) {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod raster5_rectangle {
     use super::{fill, outline};
     use assess::{Grid, Inputs, calls_within};
     use glam::IVec2;

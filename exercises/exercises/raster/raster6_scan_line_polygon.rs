@@ -45,7 +45,7 @@ fn fill(
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod raster6_scan_line_polygon {
     use super::FillRule::{EvenOdd, NonZero};
     use super::{FillRule, fill};
     use assess::{Grid, Inputs, calls_within, show_points};

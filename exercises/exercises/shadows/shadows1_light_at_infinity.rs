@@ -26,7 +26,7 @@ fn shadow_matrix(light: DVec3) -> Option<DMat4> {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod shadows1_light_at_infinity {
     use super::shadow_matrix;
     use assess::{Inputs, is_near, near, show, some};
     use glam::{DMat4, DVec3, DVec4};

@@ -38,7 +38,7 @@ fn shadow(light: DVec3, v: DVec3) -> Option<DVec3> {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod shadows2_point_light {
     use super::{shadow, shadow_matrix};
     use assess::{Inputs, is_near, near, parallel, show, some};
     use glam::{DVec3, DVec4};

@@ -26,7 +26,7 @@ fn shadow_matrix(plane: DVec4, light: DVec4) -> Option<DMat4> {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod shadows3_shadow_matrix {
     use super::shadow_matrix;
     use assess::{Inputs, is_near, near, show, some};
     use glam::{DMat4, DVec3, DVec4};

@@ -28,7 +28,7 @@ fn shadow(plane: DVec4, light: DVec4, v: DVec3) -> Option<DVec3> {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod shadows4_false_shadows {
     use super::shadow;
     use assess::{Inputs, near, show, some};
     use glam::{DVec3, DVec4};

@@ -24,6 +24,12 @@ pub fn count_markers(text: &str) -> usize {
         .count()
 }
 
+/// The module of the tests: what follows the marker line and the entry point.
+pub fn test_module(below: &str) -> &str {
+    let start = below.find("#[cfg(test)]").unwrap_or(below.len());
+    below.get(start..).unwrap_or_default()
+}
+
 /// The names of the test functions of a text, in their order, each as libtest prints it.
 pub fn test_names(below: &str) -> Vec<String> {
     let mut names = Vec::new();

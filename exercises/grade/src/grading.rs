@@ -220,7 +220,7 @@ fn run_or_complain(
     // Every test has a process of its own, so that one that loops or overflows the stack spoils no other.
     let mut running = Vec::new();
     for name in names {
-        let one = format!("tests::{name}");
+        let one = format!("{}::{name}", exercise.name);
         running.push((
             name,
             run::start(program, &["--exact", &one, "--nocapture"], dir)?,

@@ -7,6 +7,7 @@ mod build;
 mod crate_dir;
 mod exercise_file;
 mod grading;
+mod join;
 mod libtest;
 mod proof;
 mod report;

@@ -13,10 +13,15 @@ use crate::build::{self, Built};
 use crate::libtest::{self, Outcome};
 use crate::set::Set;
 use crate::{crate_dir, run};
+#[cfg(test)]
+use layout::Right;
 use layout::{Sources, Wrong};
 
 /// No test program of the course comes near this; it ends a proof in which something loops.
 const TIME_LIMIT: Duration = Duration::from_secs(120);
+
+/// A student reads no more lines than these.
+const LONGEST_MESSAGE: usize = 10;
 
 /// Proves the set, prints what was found, and says whether all of it holds.
 pub fn prove(set: &Set) -> Result<bool, String> {
@@ -69,11 +74,12 @@ pub fn prove(set: &Set) -> Result<bool, String> {
         judge(exercise, &outcomes, &mut problems);
         if problems.len() == before {
             println!(
-                "{:<32} stub fails {}, solution passes {}, wrong answers rejected {}",
+                "{:<32} stub fails {}, solution passes {}, answers rejected {}, accepted {}",
                 exercise.name,
                 exercise.fails.len(),
                 exercise.tests.len(),
                 exercise.wrong.len(),
+                exercise.right.len(),
             );
         }
     }
@@ -130,7 +136,7 @@ fn generate(src: &Path, exercises: &[Sources]) -> Result<(), String> {
     let mut lib =
         "//! Written by `ombra-grade prove`: every exercise as stub, solution and wrong answers.\n"
             .to_owned();
-    lib += "#![deny(warnings)]\n";
+    lib += "#![deny(warnings)]\n#![allow(clippy::items_after_test_module)]\n";
     let mut written = BTreeSet::from([src.join("lib.rs")]);
     for exercise in exercises {
         lib += &format!("mod {} {{\n", exercise.name);
@@ -181,7 +187,7 @@ fn build_problems(built: &Built, what: &str) -> Vec<String> {
 fn judge(exercise: &Sources, outcomes: &BTreeMap<String, Outcome>, problems: &mut Vec<String>) {
     let name = &exercise.name;
     let outcome =
-        |variant: &str, test: &str| outcomes.get(&format!("{name}::{variant}::tests::{test}"));
+        |variant: &str, test: &str| outcomes.get(&format!("{name}::{variant}::{name}::{test}"));
 
     // The stub fails by its todo!() in the tests named for it and passes the others.
     for test in &exercise.tests {
@@ -214,7 +220,34 @@ fn judge(exercise: &Sources, outcomes: &BTreeMap<String, Outcome>, problems: &mu
         }
     }
 
+    for right in &exercise.right {
+        for test in &exercise.tests {
+            match outcome(&right.module(), test) {
+                Some(Outcome::Passed) => {}
+                Some(Outcome::Failed(message)) => problems.push(format!(
+                    "{name}, right answer {}: {test} rejects it: {message}",
+                    right.file
+                )),
+                None => problems.push(format!(
+                    "{name}, right answer {}: {test} reported nothing",
+                    right.file
+                )),
+            }
+        }
+    }
+
     for wrong in &exercise.wrong {
+        for test in &exercise.tests {
+            if let Some(Outcome::Failed(message)) = outcome(&wrong.module(), test)
+                && message.lines().count() > LONGEST_MESSAGE
+            {
+                problems.push(format!(
+                    "{name}, wrong answer {}: {test} takes {} lines, more than {LONGEST_MESSAGE}: {message}",
+                    wrong.file,
+                    message.lines().count()
+                ));
+            }
+        }
         let Wrong {
             file, test, phrase, ..
         } = wrong;
@@ -262,6 +295,10 @@ mod tests {
             stub: String::new(),
             solution: String::new(),
             below: String::new(),
+            right: vec![Right {
+                file: "shift".into(),
+                above: String::new(),
+            }],
             wrong: vec![wrong("up", "upside down"), wrong("late", "too late")],
         }
     }
@@ -269,12 +306,14 @@ mod tests {
     fn proved() -> BTreeMap<String, Outcome> {
         let failed = |message: &str| Outcome::Failed(message.into());
         [
-            ("stub::tests::t", failed("not yet implemented")),
-            ("stub::tests::always", Outcome::Passed),
-            ("solution::tests::t", Outcome::Passed),
+            ("stub::e::t", failed("not yet implemented")),
+            ("stub::e::always", Outcome::Passed),
+            ("solution::e::t", Outcome::Passed),
             ("solution::tests::always", Outcome::Passed),
-            ("wrong_up::tests::t", failed("this is upside down")),
-            ("wrong_late::tests::t", failed("this is too late")),
+            ("right_shift::e::t", Outcome::Passed),
+            ("right_shift::e::always", Outcome::Passed),
+            ("wrong_up::e::t", failed("this is upside down")),
+            ("wrong_late::e::t", failed("this is too late")),
         ]
         .map(|(name, outcome)| (format!("e::{name}"), outcome))
         .into()
@@ -291,49 +330,56 @@ mod tests {
     fn each_way_of_failing_is_named() {
         let failed = |message: &str| Some(Outcome::Failed(message.into()));
         for (name, outcome, sentence) in [
+            ("stub::e::t", Some(Outcome::Passed), "e: the stub passes t"),
             (
-                "stub::tests::t",
-                Some(Outcome::Passed),
-                "e: the stub passes t",
-            ),
-            (
-                "stub::tests::t",
+                "stub::e::t",
                 failed("index out of range"),
                 "not by its todo!()",
             ),
-            ("stub::tests::t", None, "t reported nothing of the stub"),
+            ("stub::e::t", None, "t reported nothing of the stub"),
             (
-                "stub::tests::always",
+                "stub::e::always",
                 failed("not yet implemented"),
                 "which `fails` does not name",
             ),
             (
-                "solution::tests::t",
+                "solution::e::t",
                 failed("off by one"),
                 "the solution fails t: off by one",
             ),
+            ("solution::e::t", None, "reported nothing of the solution"),
             (
-                "solution::tests::t",
-                None,
-                "reported nothing of the solution",
+                "right_shift::e::t",
+                failed("no"),
+                "right answer shift: t rejects it: no",
             ),
             (
-                "wrong_up::tests::t",
+                "right_shift::e::t",
+                None,
+                "right answer shift: t reported nothing",
+            ),
+            (
+                "wrong_up::e::t",
+                failed("upside down\n\n\n\n\n\n\n\n\n\n."),
+                "wrong answer up: t takes 11 lines, more than 10",
+            ),
+            (
+                "wrong_up::e::t",
                 Some(Outcome::Passed),
                 "wrong answer up: t does not reject it",
             ),
             (
-                "wrong_up::tests::t",
+                "wrong_up::e::t",
                 failed("wrong"),
                 "without saying \"upside down\", but: wrong",
             ),
             (
-                "wrong_up::tests::t",
+                "wrong_up::e::t",
                 failed("upside down or too late"),
                 "accuses it of the mistake of late",
             ),
             (
-                "wrong_up::tests::t",
+                "wrong_up::e::t",
                 None,
                 "wrong answer up: t reported nothing",
             ),

@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 
 use crate::crate_dir::rust_files;
 use crate::exercise_file::{MARKER, count_markers, rejection, split, test_names};
+use crate::join::join;
 use crate::set::{Exercise, Set, read_text, split_bins};
 
 /// The texts of one exercise.
@@ -17,14 +18,32 @@ pub struct Sources {
     pub fails: Vec<String>,
     /// All its tests.
     pub tests: Vec<String>,
-    /// The whole file of the exercise.
+    /// The part of the exercise above the marker line.
     pub stub: String,
-    /// The whole file of the solution.
+    /// The file of the solution.
     pub solution: String,
     /// The tests: the exercise's file from the marker line on.
     pub below: String,
     /// Its stored wrong answers.
     pub wrong: Vec<Wrong>,
+    /// Right answers that go another way than the solution.
+    pub right: Vec<Right>,
+}
+
+/// A right answer that goes another way than the solution.
+#[derive(Debug)]
+pub struct Right {
+    /// The name of its file, without `.rs`.
+    pub file: String,
+    /// Its text, which stands above the marker line.
+    pub above: String,
+}
+
+impl Right {
+    /// The name of its module in the generated crate.
+    pub fn module(&self) -> String {
+        format!("right_{}", self.file)
+    }
 }
 
 /// A stored wrong answer.
@@ -51,13 +70,18 @@ impl Sources {
     /// Each variant's module and whole text.
     pub fn variants(&self) -> Vec<(String, String)> {
         let mut variants = vec![
-            ("stub".to_owned(), self.stub.clone()),
-            ("solution".to_owned(), self.solution.clone()),
+            ("stub".to_owned(), join(&self.stub, &self.below)),
+            ("solution".to_owned(), join(&self.solution, &self.below)),
         ];
         variants.extend(
             self.wrong
                 .iter()
-                .map(|wrong| (wrong.module(), format!("{}\n{}", wrong.above, self.below))),
+                .map(|wrong| (wrong.module(), join(&wrong.above, &self.below))),
+        );
+        variants.extend(
+            self.right
+                .iter()
+                .map(|right| (right.module(), join(&right.above, &self.below))),
         );
         variants
     }
@@ -124,31 +148,27 @@ fn read_sources(
                 return Ok(None);
             }
         };
-    let mut parts = Vec::new();
+    let Some((above, below)) = split(&stub).filter(|_| count_markers(&stub) == 1) else {
+        problem(format!(
+            "the exercise must have the marker line once: {MARKER}"
+        ));
+        return Ok(None);
+    };
+    if count_markers(&solution) > 0 {
+        problem("the solution has a marker line: it is only the part above it".into());
+    }
     for (what, text) in [("exercise", &stub), ("solution", &solution)] {
-        match split(text) {
-            Some(both) if count_markers(text) == 1 => parts.push(both),
-            _ => problem(format!(
-                "the {what} must have the marker line once: {MARKER}"
-            )),
-        }
-        if !text.contains("fn main() {}\n") {
+        if !text.contains("\nfn main() {}\n") {
             problem(format!("the {what} has no line `fn main() {{}}`"));
         }
     }
-    let &[(above, below), (solution_above, solution_below)] = parts.as_slice() else {
-        return Ok(None);
-    };
     if !above.contains("// TODO") || !above.contains("todo!()") {
         problem(
             "the exercise needs a comment `// TODO` and a `todo!()` above the marker line".into(),
         );
     }
-    if solution_above.contains("todo!") || solution_above.contains("// TODO") {
+    if solution.contains("todo!") || solution.contains("// TODO") {
         problem("the solution still has a TODO".into());
-    }
-    if below != solution_below {
-        problem("the tests of the solution differ from those of the exercise".into());
     }
     let docs = |text: &str| {
         text.lines()
@@ -156,14 +176,16 @@ fn read_sources(
             .map(str::to_owned)
             .collect::<Vec<_>>()
     };
-    if docs(above) != docs(solution_above) || docs(above).is_empty() {
+    if docs(above) != docs(&solution) || docs(above).is_empty() {
         problem("exercise and solution need the same doc comment".into());
     }
 
     // The tests and which of them the stub fails.
     let tests = test_names(below);
-    if tests.len() < 3 || !below.contains("#[cfg(test)]\nmod tests {\n") {
-        problem("it needs `mod tests` with at least three tests: the slide's, one on no slide, an extreme".into());
+    if tests.len() < 3 || !below.contains(&format!("#[cfg(test)]\nmod {name} {{\n")) {
+        problem(format!(
+            "it needs `mod {name}` with at least three tests: the slide's, one on no slide, an extreme"
+        ));
     }
     if below.contains("use super::*") {
         problem(
@@ -178,14 +200,16 @@ fn read_sources(
     }
 
     let wrong = read_wrong(&set.root.join("wrong").join(name), &tests, &mut problem)?;
+    let right = read_right(&set.root.join("right").join(name), &mut problem)?;
     Ok(Some(Sources {
         name: name.clone(),
         fails: exercise.fails.clone(),
         tests,
         below: below.to_owned(),
-        stub,
+        stub: above.to_owned(),
         solution,
         wrong,
+        right,
     }))
 }
 
@@ -195,21 +219,7 @@ fn read_wrong(
     mut problem: impl FnMut(String),
 ) -> Result<Vec<Wrong>, String> {
     let mut wrong: Vec<Wrong> = Vec::new();
-    for path in rust_files(dir)? {
-        let file = path
-            .file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
-        if !file
-            .chars()
-            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
-        {
-            problem(format!(
-                "wrong answer {file:?} is not named by lower-case letters, digits and underscores"
-            ));
-        }
-        let above = read_text(&path)?;
+    for (file, above) in read_answers(dir, &mut problem)? {
         let Some(stated) = rejection(&above) else {
             problem(format!(
                 "the first line of wrong answer {file} is not `// rejected by TEST: PHRASE`"
@@ -220,11 +230,6 @@ fn read_wrong(
             problem(format!(
                 "wrong answer {file} names the test {}, which is not there",
                 stated.test
-            ));
-        }
-        if count_markers(&above) > 0 {
-            problem(format!(
-                "wrong answer {file} has a marker line: it is only the part above it"
             ));
         }
         if wrong.iter().any(|other| other.phrase == stated.phrase) {
@@ -240,29 +245,77 @@ fn read_wrong(
             above,
         });
     }
-    if !(2..=4).contains(&wrong.len()) {
+    if wrong.len() < 2 {
         problem(format!(
-            "wrong answers in wrong/: {}, but 2 to 4 are asked for",
+            "wrong answers in wrong/: {}, but at least 2 are asked for",
             wrong.len()
         ));
     }
     Ok(wrong)
 }
 
-/// No `.rs` file may lie in the three folders but those of an exercise.
+/// The right answers, each with the way that it goes in its first line: `// right: WAY`.
+fn read_right(dir: &Path, mut problem: impl FnMut(String)) -> Result<Vec<Right>, String> {
+    let answers = read_answers(dir, &mut problem)?;
+    let mut right = Vec::new();
+    for (file, above) in answers {
+        if !above.starts_with("// right: ") {
+            problem(format!(
+                "the first line of right answer {file} is not `// right: WAY`"
+            ));
+        }
+        right.push(Right { file, above });
+    }
+    Ok(right)
+}
+
+/// The answers of a folder: each file's name and its text.
+fn read_answers(
+    dir: &Path,
+    mut problem: impl FnMut(String),
+) -> Result<Vec<(String, String)>, String> {
+    let mut answers = Vec::new();
+    for path in rust_files(dir)? {
+        let file = path
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        if !file
+            .chars()
+            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+        {
+            problem(format!(
+                "the answer {file:?} is not named by lower-case letters, digits and underscores"
+            ));
+        }
+        let above = read_text(&path)?;
+        if count_markers(&above) > 0 {
+            problem(format!(
+                "the answer {file} has a marker line: it is only the part above it"
+            ));
+        }
+        answers.push((file, above));
+    }
+    Ok(answers)
+}
+
+/// No `.rs` file may lie in the four folders but those of an exercise.
 fn check_stray_files(set: &Set, problems: &mut Vec<String>) -> Result<(), String> {
     let known: BTreeSet<PathBuf> = set
         .exercises
         .iter()
         .flat_map(|e| [e.path(), e.solution_path()])
         .collect();
-    for folder in ["exercises", "solutions", "wrong"] {
+    for folder in ["exercises", "solutions", "wrong", "right"] {
         for file in rust_files(&set.root.join(folder))? {
             let inside = file.strip_prefix(&set.root).unwrap_or(&file);
             let of_an_exercise = |dir: &Path| {
-                set.exercises
-                    .iter()
-                    .any(|e| dir == Path::new("wrong").join(&e.name))
+                set.exercises.iter().any(|e| {
+                    ["wrong", "right"]
+                        .iter()
+                        .any(|f| dir == Path::new(f).join(&e.name))
+                })
             };
             if !known.contains(inside) && !inside.parent().is_some_and(of_an_exercise) {
                 problems.push(format!(
@@ -318,7 +371,7 @@ fn check_lock(set: &Set, problems: &mut Vec<String>) -> Result<(), String> {
 
 fn check_format(set: &Set, problems: &mut Vec<String>) -> Result<(), String> {
     let mut files = Vec::new();
-    for folder in ["exercises", "solutions", "wrong", "assess"] {
+    for folder in ["exercises", "solutions", "wrong", "right", "assess"] {
         files.extend(rust_files(&set.root.join(folder))?);
     }
     let output = Command::new("rustfmt")

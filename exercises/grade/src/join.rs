@@ -1,0 +1,140 @@
+//! The tests and a student's part in one module, the tests in front.
+//!
+//! A student's `macro_rules! assert` counts from its line on, so it cannot reach tests that stand before it.
+
+use crate::exercise_file::test_module;
+
+/// The module of the tests of `below`, then `answer`. The answer's leading inner attributes stay first, where Rust
+/// wants them.
+pub fn join(answer: &str, below: &str) -> String {
+    let answer = answer.strip_prefix('\u{feff}').unwrap_or(answer);
+    let (leading, rest) = answer.split_at(inner_attributes(answer));
+    format!("{leading}\n{}\n{rest}", test_module(below))
+}
+
+/// How far the inner attributes `#![…]` and inner comments `//!` reach that begin a text, with what stands between.
+pub fn inner_attributes(text: &str) -> usize {
+    let (mut at, mut end) = (0, 0);
+    loop {
+        let rest = text.get(at..).unwrap_or_default();
+        let (length, is_inner) = if rest.starts_with(char::is_whitespace) {
+            (rest.len() - rest.trim_start().len(), false)
+        } else if rest.starts_with("//!") {
+            (line(rest), true)
+        } else if rest.starts_with("//") && (!rest.starts_with("///") || rest.starts_with("////")) {
+            (line(rest), false)
+        } else if rest.starts_with("/*!") {
+            (block_comment(rest), true)
+        } else if rest.starts_with("/*")
+            && (!rest.starts_with("/**") || rest.starts_with("/***") || rest.starts_with("/**/"))
+        {
+            (block_comment(rest), false)
+        } else if let Some(length) = attribute(rest) {
+            (length, true)
+        } else {
+            return end;
+        };
+        at += length;
+        if is_inner {
+            end = at;
+        }
+    }
+}
+
+fn line(rest: &str) -> usize {
+    rest.find('\n').map_or(rest.len(), |at| at + 1)
+}
+
+/// The length of a comment `/* … */`, which may hold others.
+fn block_comment(rest: &str) -> usize {
+    let (mut depth, mut at) = (0_usize, 0);
+    let bytes = rest.as_bytes();
+    while let Some(pair) = bytes.get(at..at + 2) {
+        match pair {
+            b"/*" => (depth, at) = (depth + 1, at + 2),
+            b"*/" => (depth, at) = (depth.saturating_sub(1), at + 2),
+            _ => at += 1,
+        }
+        if depth == 0 {
+            return at;
+        }
+    }
+    rest.len()
+}
+
+/// The length of `#![…]` at the start of a text, the brackets in strings aside.
+fn attribute(rest: &str) -> Option<usize> {
+    let open = rest
+        .strip_prefix('#')?
+        .trim_start()
+        .strip_prefix('!')?
+        .trim_start();
+    open.starts_with('[').then_some(())?;
+    let start = rest.len() - open.len();
+    let (mut depth, mut in_string, mut escaped) = (0_usize, false, false);
+    for (at, byte) in open.bytes().enumerate() {
+        match byte {
+            _ if escaped => escaped = false,
+            b'\\' if in_string => escaped = true,
+            b'"' => in_string = !in_string,
+            b'[' if !in_string => depth += 1,
+            b']' if !in_string => {
+                depth -= 1;
+                if depth == 0 {
+                    return Some(start + at + 1);
+                }
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inner_attributes_end_before_the_first_item() {
+        for (text, leading) in [
+            ("use a::b;\n", ""),
+            ("// note\nuse a::b;\n", ""),
+            ("/// of f\nfn f() {}\n", ""),
+            ("#[inline]\nfn f() {}\n", ""),
+            ("#![allow(x)]\nuse a;\n", "#![allow(x)]"),
+            (
+                "// note\n\n#![allow(x)] // why\n//! file\n\nuse a;",
+                "// note\n\n#![allow(x)] // why\n//! file\n",
+            ),
+            (
+                "#![doc = \"a ] \\\" b\"]fn f() {}",
+                "#![doc = \"a ] \\\" b\"]",
+            ),
+            (
+                "#! [ cfg_attr(a, b[0]) ]fn f() {}",
+                "#! [ cfg_attr(a, b[0]) ]",
+            ),
+            (
+                "/* /* in */ out */#![a]\n/** of f */fn f() {}",
+                "/* /* in */ out */#![a]",
+            ),
+            ("#![never", ""),
+            ("/* never", ""),
+            ("", ""),
+        ] {
+            assert_eq!(text.split_at(inner_attributes(text)).0, leading, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn tests_stand_before_the_answer() {
+        let below = "// marker\n\nfn main() {}\n\n#[cfg(test)]\nmod a1 {\n    use super::f;\n}\n";
+        assert_eq!(
+            join(
+                "\u{feff}#![allow(x)]\nmacro_rules! assert { () => {} }\n",
+                below
+            ),
+            "#![allow(x)]\n#[cfg(test)]\nmod a1 {\n    use super::f;\n}\n\n\nmacro_rules! assert { () => {} }\n"
+        );
+    }
+}
