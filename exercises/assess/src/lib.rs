@@ -1,5 +1,5 @@
 //! What the tests of the exercises share: compares whose message says what differs and by how much, pictures
-//! of characters, the pixels of a segment, step budgets that stop a loop without an end, and inputs that no file
+//! of characters and of one's own, the pixels of a segment, step budgets that stop a loop without an end, and inputs that no file
 //! shows.
 //!
 //! Every check panics when it fails, and names the line of the test that called it.
@@ -7,6 +7,7 @@
 mod compare;
 mod grid;
 mod inputs;
+mod picture;
 mod segment;
 mod steps;
 mod windows;
@@ -16,6 +17,7 @@ pub use compare::{
 };
 pub use grid::Grid;
 pub use inputs::Inputs;
+pub use picture::{Ink, Panel, Picture};
 pub use segment::Segment;
 pub use steps::{Steps, calls_within, collect_within, first_calls};
 pub use windows::WindowCase;
