@@ -222,7 +222,7 @@ impl Picture {
             svg,
             "<text x=\"{MARGIN:.0}\" y=\"{:.0}\">{}</text>\n</svg>\n",
             height - 14.0,
-            escape(&notes.join("     ")),
+            escape(&notes.join(" · ")),
         );
         svg
     }
@@ -524,7 +524,7 @@ mod tests {
             "{svg}"
         );
         assert!(svg.contains(">?</text>") && svg.contains(">×</text>"));
-        assert!(svg.contains("? missing     × should not be there"));
+        assert!(svg.contains("? missing · × should not be there"));
         // Two columns and two rows, both numbered, in both halves.
         assert_eq!(svg.matches(">1</text>").count(), 4);
     }
