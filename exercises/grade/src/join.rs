@@ -7,9 +7,19 @@ use crate::exercise_file::test_module;
 /// The module of the tests of `below`, then `answer`. The answer's leading inner attributes stay first, where Rust
 /// wants them.
 pub fn join(answer: &str, below: &str) -> String {
-    let answer = answer.strip_prefix('\u{feff}').unwrap_or(answer);
-    let (leading, rest) = answer.split_at(inner_attributes(answer));
+    let (leading, rest) = parts(answer);
     format!("{leading}\n{}\n{rest}", test_module(below))
+}
+
+/// The same with the tests in a file of their own, so that the lines of the answer keep their numbers.
+pub fn join_file(answer: &str, name: &str, tests: &str) -> String {
+    let (leading, rest) = parts(answer);
+    format!("{leading}#[path = \"{tests}\"] pub mod {name}; {rest}")
+}
+
+fn parts(answer: &str) -> (&str, &str) {
+    let answer = answer.strip_prefix('\u{feff}').unwrap_or(answer);
+    answer.split_at(inner_attributes(answer))
 }
 
 /// How far the inner attributes `#![…]` and inner comments `//!` reach that begin a text, with what stands between.

@@ -3,10 +3,13 @@
 //! `prove` shows of every exercise that its stub fails, its solution passes and its stored wrong answers are
 //! rejected by a message that names the mistake. `grade` runs the pristine tests on a student's answers.
 
+mod answers;
 mod build;
+mod compile;
 mod crate_dir;
 mod exercise_file;
 mod grading;
+mod harness;
 mod join;
 mod libtest;
 mod proof;
@@ -17,7 +20,7 @@ mod set;
 #[path = "../../../crates/figures/src/whole.rs"]
 mod whole;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -73,11 +76,56 @@ fn main() -> ExitCode {
             student_dir,
             out,
             time_limit,
-        } => match grading::grade(&set, &student_dir, &out, time_limit) {
+        } => match grade(&set, &student_dir, &out, time_limit) {
             Ok(()) => ExitCode::SUCCESS,
             Err(sentence) => bad_input(&sentence),
         },
     }
+}
+
+/// Grades one student and writes junit.xml and summary.json into `out`.
+fn grade(set: &set::Set, student: &Path, out: &Path, limit: Duration) -> Result<(), String> {
+    let answers = answers::of_folder(set, student)?;
+    let out = out_dir(out, &answers::find_student(set, student)?)?;
+    let course = grading::Course::prepare(set)?;
+    let scratch = crate_dir::Scratch::new()?;
+    let report = course.grade(&answers, limit, scratch.path())?;
+    whole::together(&[
+        (&out.join("junit.xml"), report.junit().as_bytes()),
+        (&out.join("summary.json"), report.json().as_bytes()),
+    ])
+    .map_err(|refused| refused.to_string())?;
+    print!("{}", report.table());
+    Ok(())
+}
+
+/// The report's folder as a full path, which must not lie in the student's tree: that is only read.
+fn out_dir(out: &Path, student: &Path) -> Result<PathBuf, String> {
+    if out.exists() && !out.is_dir() {
+        return Err(format!(
+            "--out {} is a file, but must be a folder",
+            out.display()
+        ));
+    }
+    let absolute =
+        std::path::absolute(out).map_err(|error| format!("--out {}: {error}", out.display()))?;
+    // What does not exist yet has no canonical path; the nearest folder above it has.
+    let existing = absolute
+        .ancestors()
+        .find_map(|folder| Some((folder, folder.canonicalize().ok()?)));
+    let full = match existing {
+        Some((folder, canonical)) => {
+            canonical.join(absolute.strip_prefix(folder).unwrap_or(Path::new("")))
+        }
+        None => absolute,
+    };
+    if full.starts_with(student) {
+        return Err(format!(
+            "--out {} lies in the student's folder, which is only read: name another one",
+            out.display()
+        ));
+    }
+    Ok(full)
 }
 
 fn bad_input(sentence: &str) -> ExitCode {

@@ -1,65 +1,78 @@
-//! Running a program under a time limit.
+//! Running a program, and all that it starts, under a limit of time and of memory.
 
-use std::io::Read;
+use std::io::{Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::thread::{self, JoinHandle};
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
 use std::time::{Duration, Instant};
 
-/// How much of each output is kept of a program that prints without end.
-const KEPT_BYTES: usize = 1 << 24;
+/// How much of each output is kept of a program that prints without end: its last bytes.
+const KEPT_BYTES: usize = 1 << 20;
+
+/// How long the outputs may stay open after the program has ended: by what it started and we could not end.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// How a program ended.
 #[derive(Debug)]
 pub struct Ended {
     /// Its exit status, or `None` when it was stopped at the time limit.
     pub status: Option<ExitStatus>,
-    /// What it printed.
+    /// The end of what it printed.
     pub stdout: String,
-    /// What it printed as errors.
+    /// The end of what it printed as errors.
     pub stderr: String,
     /// How long it ran.
     pub time: Duration,
+    /// Whether a program that it had started still ran.
+    pub left_running: bool,
 }
 
 /// A program that runs.
 pub struct Running {
     child: Child,
+    family: family::Family,
     started: Instant,
-    stdout: JoinHandle<String>,
-    stderr: JoinHandle<String>,
+    stdout: Receiver<String>,
+    stderr: Receiver<String>,
 }
 
-/// Starts a program in the folder `dir`.
-pub fn start(program: &Path, arguments: &[&str], dir: &Path) -> Result<Running, String> {
+/// Starts a program in the folder `dir` and hands it `input`.
+pub fn start(
+    program: &Path,
+    arguments: &[&str],
+    dir: &Path,
+    input: &str,
+) -> Result<Running, String> {
     let sentence = |why: String| format!("cannot start {}: {why}", program.display());
-    let mut child = Command::new(program)
+    let mut command = Command::new(program);
+    command
         .args(arguments)
         .current_dir(dir)
         .env("RUST_BACKTRACE", "0")
-        .stdin(Stdio::null())
+        .stdin(Stdio::piped())
         .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .map_err(|error| sentence(error.to_string()))?;
-    let stdout = child
-        .stdout
-        .take()
-        .ok_or_else(|| sentence("no output".to_owned()))?;
-    let stderr = child
-        .stderr
-        .take()
-        .ok_or_else(|| sentence("no output".to_owned()))?;
+        .stderr(Stdio::piped());
+    let (mut child, family) =
+        family::spawn(&mut command).map_err(|error| sentence(error.to_string()))?;
+    if let Some(mut stdin) = child.stdin.take() {
+        // A program that has ended already reads nothing.
+        let _ = stdin.write_all(input.as_bytes());
+    }
+    let no_output = || sentence("no output".to_owned());
+    let stdout = reader(child.stdout.take().ok_or_else(no_output)?);
+    let stderr = reader(child.stderr.take().ok_or_else(no_output)?);
     Ok(Running {
         child,
+        family,
         started: Instant::now(),
-        stdout: thread::spawn(move || read_first(stdout)),
-        stderr: thread::spawn(move || read_first(stderr)),
+        stdout,
+        stderr,
     })
 }
 
 impl Running {
-    /// Waits for the program's end, or ends it `limit` after its start.
+    /// Waits for the program's end, or ends it `limit` after its start, and with it all that it started.
     pub fn wait(mut self, limit: Duration) -> Result<Ended, String> {
         let status = loop {
             let ended = self
@@ -70,47 +83,152 @@ impl Running {
                 break ended;
             }
             if self.started.elapsed() >= limit {
-                // It may have ended by itself since the last look: either way it is over.
-                let _ = self.child.kill();
-                let _ = self.child.wait();
                 break None;
             }
             thread::sleep(Duration::from_millis(2));
         };
+        let time = self.started.elapsed();
+        let left_running = self.family.end();
+        if status.is_none() {
+            // It may have ended by itself since the last look: either way it is over.
+            let _ = self.child.kill();
+            let _ = self.child.wait();
+        }
         Ok(Ended {
             status,
-            time: self.started.elapsed(),
-            stdout: self.stdout.join().unwrap_or_default(),
-            stderr: self.stderr.join().unwrap_or_default(),
+            time,
+            left_running: left_running && status.is_some(),
+            stdout: self.stdout.recv_timeout(PATIENCE).unwrap_or_default(),
+            stderr: self.stderr.recv_timeout(PATIENCE).unwrap_or_default(),
         })
     }
 }
 
-/// Reads to the end, and keeps the beginning.
-fn read_first(mut source: impl Read) -> String {
+/// Reads in a thread of its own, which nobody waits for: another program may hold the output open.
+fn reader(source: impl Read + Send + 'static) -> Receiver<String> {
+    let (sender, receiver) = channel();
+    thread::spawn(move || {
+        // Who no longer waits needs no text.
+        let _ = sender.send(read_last(source));
+    });
+    receiver
+}
+
+/// Reads to the end, and keeps the end.
+fn read_last(mut source: impl Read) -> String {
     let mut kept = Vec::new();
     let mut buffer = [0; 1 << 13];
     while let Ok(count @ 1..) = source.read(&mut buffer) {
-        let room = KEPT_BYTES.saturating_sub(kept.len());
-        kept.extend(buffer.iter().take(count.min(room)));
+        kept.extend(buffer.iter().take(count));
+        if kept.len() > 2 * KEPT_BYTES {
+            kept.drain(..kept.len() - KEPT_BYTES);
+        }
     }
-    String::from_utf8_lossy(&kept).into_owned()
+    let first = kept.len().saturating_sub(KEPT_BYTES);
+    String::from_utf8_lossy(kept.get(first..).unwrap_or_default()).into_owned()
 }
+
+#[cfg(unix)]
+mod family {
+    //! A process group. What leaves the group on purpose gets away.
+
+    use std::os::unix::process::CommandExt;
+    use std::process::{Child, Command};
+
+    use rustix::process::{Pid, Signal, kill_process_group};
+
+    pub struct Family(Option<Pid>);
+
+    pub fn spawn(command: &mut Command) -> std::io::Result<(Child, Family)> {
+        let child = command.process_group(0).spawn()?;
+        let leader = Pid::from_child(&child);
+        limit_memory(leader);
+        Ok((child, Family(Some(leader))))
+    }
+
+    impl Family {
+        /// Ends all that still run, and says whether any did.
+        pub fn end(&mut self) -> bool {
+            let leader = self.0.take();
+            leader.is_some_and(|leader| kill_process_group(leader, Signal::KILL).is_ok())
+        }
+    }
+
+    impl Drop for Family {
+        fn drop(&mut self) {
+            self.end();
+        }
+    }
+
+    /// A loop that pushes without end gets a sentence before it has the whole machine.
+    #[cfg(target_os = "linux")]
+    fn limit_memory(process: Pid) {
+        use rustix::process::{Resource, Rlimit, prlimit};
+        let bytes = Some(super::MEMORY);
+        let limit = Rlimit {
+            current: bytes,
+            maximum: bytes,
+        };
+        // Without it the time limit still ends the program.
+        let _ = prlimit(Some(process), Resource::As, limit);
+    }
+
+    #[cfg(not(target_os = "linux"))]
+    fn limit_memory(_: Pid) {}
+}
+
+#[cfg(windows)]
+mod family {
+    //! A job object, which ends all its processes when it is closed.
+
+    use std::os::windows::io::AsRawHandle;
+    use std::process::{Child, Command};
+
+    use win32job::{ExtendedLimitInfo, Job};
+
+    pub struct Family(Option<Job>);
+
+    pub fn spawn(command: &mut Command) -> std::io::Result<(Child, Family)> {
+        let child = command.spawn()?;
+        let mut limits = ExtendedLimitInfo::new();
+        limits.limit_kill_on_job_close();
+        let job = Job::create_with_limit_info(&limits).ok();
+        let job = job.filter(|job| job.assign_process(child.as_raw_handle() as isize).is_ok());
+        Ok((child, Family(job)))
+    }
+
+    impl Family {
+        /// Ends all that still run, and says whether any did.
+        pub fn end(&mut self) -> bool {
+            let Some(job) = self.0.take() else {
+                return false;
+            };
+            let running = job.query_process_id_list();
+            drop(job);
+            running.is_ok_and(|running| !running.is_empty())
+        }
+    }
+}
+
+/// How many bytes a program may ask for on Linux; no test of the course comes near it.
+pub const MEMORY: u64 = 1 << 30;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn output_without_end_is_cut() {
-        let text = read_first(std::io::repeat(b'x').take(3 * KEPT_BYTES as u64));
+    fn of_output_without_end_the_end_is_kept() {
+        let long = std::io::repeat(b'x').take(3 * KEPT_BYTES as u64);
+        let text = read_last(long.chain(&b"end"[..]));
         assert_eq!(text.len(), KEPT_BYTES);
-        assert_eq!(read_first(&b"short \xff"[..]), "short \u{fffd}");
+        assert!(text.ends_with("xend"));
+        assert_eq!(read_last(&b"short \xff"[..]), "short \u{fffd}");
     }
 
     #[test]
     fn a_program_that_is_not_there_gets_a_sentence() {
-        let why = start(Path::new("no-such-program"), &[], Path::new("."))
+        let why = start(Path::new("no-such-program"), &[], Path::new("."), "")
             .err()
             .unwrap();
         assert!(why.starts_with("cannot start no-such-program: "), "{why}");
