@@ -106,6 +106,10 @@ mod math3_vertex_normals {
             panic!("{weighting:?}, {what}: got None, but triangles with an area meet there");
         };
         assert!(!n.is_nan(), "{weighting:?}, {what}: got Some(NaN)");
+        assert!(
+            n != DVec3::ZERO,
+            "{weighting:?}, {what}: got (0, 0, 0), which is no direction"
+        );
         n
     }
 
@@ -144,7 +148,7 @@ mod math3_vertex_normals {
                 assert!(
                     half.is_none(),
                     "Angle: a triangle with a right angle at the vertex does not count, but one with 45° does: the weight \
-                     is the angle itself, not its cosine, which is 0 at 90°",
+                     is the angle itself (its cosine, for one, is 0 at 90°)",
                 );
             }
             let three = [[0, 1, 2], [0, 2, 3], [0, 3, 1]];
