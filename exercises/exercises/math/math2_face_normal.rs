@@ -242,7 +242,7 @@ mod math2_face_normal {
         examine_first();
         let (y, z) = (DVec3::Y, DVec3::Z);
         let even = DVec3::ONE.normalize();
-        for length in [1.0, 1e3, 1e6, 1e9, 1e150, 1e-3, 1e-6, 1e-9, 1e-150] {
+        for length in [1.0, 1e3, 1e6, 1e9, 1e149, 1e-3, 1e-6, 1e-9, 1e-150] {
             let normals = [length * DVec3::X, y, z];
             assert!(
                 face_normal(normals).is_some(),
