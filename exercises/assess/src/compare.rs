@@ -113,6 +113,20 @@ pub fn show_number(x: f64) -> String {
     }
 }
 
+/// A vector in at most six digits a coordinate, for a message whose point is not the last digit.
+#[must_use]
+pub fn brief(v: DVec3) -> String {
+    let [x, y, z] = v.to_array().map(brief_number);
+    format!("({x}, {y}, {z})")
+}
+
+/// A number in at most six digits.
+#[must_use]
+pub fn brief_number(x: f64) -> String {
+    // Six digits written and read back are the shortest form of a number that is near enough.
+    show_number(format!("{x:.5e}").parse().unwrap_or(x))
+}
+
 fn difference(off: f64, bound: f64) -> String {
     if off.is_nan() {
         "not a number".to_owned()
@@ -180,6 +194,16 @@ mod tests {
         assert_eq!(
             show(DVec3::new(0.0, f64::NAN, f64::INFINITY)),
             "(0, NaN, inf)"
+        );
+    }
+
+    #[test]
+    fn brief_numbers_have_six_digits() {
+        let v = DVec3::new(-2.0 / 3.0, 1e-150 / 3.0, 20.0 / 3.0);
+        assert_eq!(brief(v), "(-0.666667, 3.33333e-151, 6.66667)");
+        assert_eq!(
+            [0.0, -1234.0, 1e150, f64::NAN, f64::INFINITY].map(brief_number),
+            ["0", "-1234", "1e150", "NaN", "inf"]
         );
     }
 

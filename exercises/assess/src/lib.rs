@@ -13,7 +13,8 @@ mod steps;
 mod windows;
 
 pub use compare::{
-    is_near, near, near_number, parallel, show, show_number, show_point, show_points, some,
+    brief, brief_number, is_near, near, near_number, parallel, show, show_number, show_point,
+    show_points, some,
 };
 pub use grid::Grid;
 pub use inputs::Inputs;
