@@ -1,9 +1,14 @@
 //! Compiling answers with rustc: what all students share once, and then one program a student.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use serde_json::Value;
+
+use crate::run;
+
+/// How long the compiler may take: a constant may loop without end.
+const LIMIT: Duration = Duration::from_secs(60);
 
 /// The compiler, and the libraries that all answers are linked with.
 #[derive(Debug)]
@@ -50,39 +55,39 @@ impl Compiler {
         output: &str,
         more: &[(&str, &str)],
     ) -> Result<Result<(), Vec<Complaint>>, String> {
-        let mut command = Command::new(&self.rustc);
-        command
-            .current_dir(dir)
-            .args([
-                "--edition",
-                "2024",
-                "--crate-type",
-                kind,
-                "--cap-lints",
-                "allow",
-            ])
-            .args(["--error-format", "json", "-C", "debug-assertions=on"])
-            .args(["-C", "debuginfo=0", "-C", "codegen-units=1", "-o", output])
-            .arg("-L")
-            .arg(format!("dependency={}", self.dependencies.display()));
-        for (name, file) in &self.externs {
-            command
-                .arg("--extern")
-                .arg(format!("{name}={}", file.display()));
+        let mut arguments = vec![
+            "--edition=2024".to_owned(),
+            format!("--crate-type={kind}"),
+            "--cap-lints=allow".to_owned(),
+            "--error-format=json".to_owned(),
+            "-Cdebug-assertions=on".to_owned(),
+            "-Cdebuginfo=0".to_owned(),
+            "-Ccodegen-units=1".to_owned(),
+            format!("-o{output}"),
+            format!("-Ldependency={}", self.dependencies.display()),
+        ];
+        let externs = self.externs.iter();
+        let externs = externs.map(|(name, file)| (name.as_str(), file.display().to_string()));
+        let more = more.iter().map(|&(name, file)| (name, file.to_owned()));
+        for (name, file) in externs.chain(more) {
+            arguments.push(format!("--extern={name}={file}"));
         }
-        for (name, file) in more {
-            command.arg("--extern").arg(format!("{name}={file}"));
-        }
-        let ended = command
-            .arg(source)
-            .env_remove("RUSTFLAGS")
-            .stdin(Stdio::null())
-            .output()
-            .map_err(|error| format!("cannot start {}: {error}", self.rustc.display()))?;
-        if ended.status.success() {
+        arguments.push(source.to_owned());
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        let ended = run::start(&self.rustc, &arguments, dir, "", None)?.wait(LIMIT)?;
+        let Some(status) = ended.status else {
+            return Ok(Err(vec![Complaint {
+                file: String::new(),
+                text: format!(
+                    "stopped: the compiler was not done after {} s; does a constant loop without end?",
+                    LIMIT.as_secs()
+                ),
+            }]));
+        };
+        if status.success() {
             return Ok(Ok(()));
         }
-        let said = String::from_utf8_lossy(&ended.stderr);
+        let said = ended.stderr;
         let complaints = complaints(&said);
         if complaints.is_empty() {
             return Err(format!("{} fails:\n{said}", self.rustc.display()));

@@ -16,6 +16,9 @@ use crate::{build, harness, libtest, run};
 /// A student reads no more of what the compiler says of one file.
 const COMPILER_LINES: usize = 60;
 
+/// How many bytes a test may ask for; none of the course comes near it.
+const MEMORY: u64 = 1 << 30;
+
 /// What all students share, made once: the tests as functions, the compiled libraries that they use.
 pub struct Course {
     exercises: Vec<Tests>,
@@ -280,7 +283,11 @@ fn run_tests(
     for name in &tests.names {
         let token = harness::token();
         let one = format!("{}::{name}", tests.name());
-        running.push((name, run::start(program, &[&one], work, &token)?, token));
+        running.push((
+            name,
+            run::start(program, &[&one], work, &token, Some(MEMORY))?,
+            token,
+        ));
     }
     let mut results = Vec::new();
     for (name, running, token) in running {
@@ -330,7 +337,7 @@ fn verdict(ended: &run::Ended, token: &str, limit: Duration) -> Verdict {
     Verdict::Failed(if said.contains("memory allocation of ") {
         format!(
             "more memory was asked for than the {} GiB of a test: does a loop collect without end?",
-            run::MEMORY >> 30
+            MEMORY >> 30
         )
     } else if said.contains("has overflowed its stack") {
         "the stack overflowed: does a function call itself without end?".to_owned()

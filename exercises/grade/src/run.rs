@@ -37,12 +37,14 @@ pub struct Running {
     stderr: Receiver<String>,
 }
 
-/// Starts a program in the folder `dir` and hands it `input`.
+/// Starts a program in the folder `dir` and hands it `input`. Where the system can limit it, it has no more than
+/// `memory` bytes.
 pub fn start(
     program: &Path,
     arguments: &[&str],
     dir: &Path,
     input: &str,
+    memory: Option<u64>,
 ) -> Result<Running, String> {
     let sentence = |why: String| format!("cannot start {}: {why}", program.display());
     let mut command = Command::new(program);
@@ -54,7 +56,7 @@ pub fn start(
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
     let (mut child, family) =
-        family::spawn(&mut command).map_err(|error| sentence(error.to_string()))?;
+        family::spawn(&mut command, memory).map_err(|error| sentence(error.to_string()))?;
     if let Some(mut stdin) = child.stdin.take() {
         // A program that has ended already reads nothing.
         let _ = stdin.write_all(input.as_bytes());
@@ -139,10 +141,12 @@ mod family {
 
     pub struct Family(Option<Pid>);
 
-    pub fn spawn(command: &mut Command) -> std::io::Result<(Child, Family)> {
+    pub fn spawn(command: &mut Command, memory: Option<u64>) -> std::io::Result<(Child, Family)> {
         let child = command.process_group(0).spawn()?;
         let leader = Pid::from_child(&child);
-        limit_memory(leader);
+        if let Some(bytes) = memory {
+            limit_memory(leader, bytes);
+        }
         Ok((child, Family(Some(leader))))
     }
 
@@ -162,19 +166,18 @@ mod family {
 
     /// A loop that pushes without end gets a sentence before it has the whole machine.
     #[cfg(target_os = "linux")]
-    fn limit_memory(process: Pid) {
+    fn limit_memory(process: Pid, bytes: u64) {
         use rustix::process::{Resource, Rlimit, prlimit};
-        let bytes = Some(super::MEMORY);
         let limit = Rlimit {
-            current: bytes,
-            maximum: bytes,
+            current: Some(bytes),
+            maximum: Some(bytes),
         };
         // Without it the time limit still ends the program.
         let _ = prlimit(Some(process), Resource::As, limit);
     }
 
     #[cfg(not(target_os = "linux"))]
-    fn limit_memory(_: Pid) {}
+    fn limit_memory(_: Pid, _: u64) {}
 }
 
 #[cfg(windows)]
@@ -188,7 +191,7 @@ mod family {
 
     pub struct Family(Option<Job>);
 
-    pub fn spawn(command: &mut Command) -> std::io::Result<(Child, Family)> {
+    pub fn spawn(command: &mut Command, _memory: Option<u64>) -> std::io::Result<(Child, Family)> {
         let child = command.spawn()?;
         let mut limits = ExtendedLimitInfo::new();
         limits.limit_kill_on_job_close();
@@ -210,9 +213,6 @@ mod family {
     }
 }
 
-/// How many bytes a program may ask for on Linux; no test of the course comes near it.
-pub const MEMORY: u64 = 1 << 30;
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -228,7 +228,7 @@ mod tests {
 
     #[test]
     fn a_program_that_is_not_there_gets_a_sentence() {
-        let why = start(Path::new("no-such-program"), &[], Path::new("."), "")
+        let why = start(Path::new("no-such-program"), &[], Path::new("."), "", None)
             .err()
             .unwrap();
         assert!(why.starts_with("cannot start no-such-program: "), "{why}");

@@ -461,3 +461,16 @@ fn a_program_that_outlives_its_test_is_seen_and_ended() {
     let still = Command::new("pgrep").args(["-f", "sleep 61.25"]).output();
     assert!(still.is_err() || still.is_ok_and(|found| found.stdout.is_empty()));
 }
+
+#[test]
+#[ignore = "takes two minutes: the compiler's time limit, twice"]
+fn a_constant_that_loops_is_told() {
+    let constant =
+        format!("const TWO: u32 = loop {{}};\nfn double(x: u32) -> u32 {{ TWO * x }}\n{MARKER}\n");
+    one_answer(
+        "constant",
+        &constant,
+        "does not compile",
+        "does a constant loop without end?",
+    );
+}
