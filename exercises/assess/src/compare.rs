@@ -36,11 +36,12 @@ fn unit(v: DVec3) -> Option<DVec3> {
 /// When it is not, with both vectors and the largest difference.
 #[track_caller]
 pub fn near(what: &str, got: DVec3, want: DVec3, bound: f64) {
+    let both = brief_unless_equal([want, got], brief, show);
     assert!(
         is_near(got, want, bound),
         "{what}: expected {}, got {} ({})",
-        show(want),
-        show(got),
+        both[0],
+        both[1],
         difference((got - want).abs().max_element(), bound),
     );
 }
@@ -53,11 +54,12 @@ pub fn near(what: &str, got: DVec3, want: DVec3, bound: f64) {
 #[track_caller]
 pub fn near_number(what: &str, got: f64, want: f64, bound: f64) {
     let off = (got - want).abs();
+    let both = brief_unless_equal([want, got], brief_number, show_number);
     assert!(
         got == want || off <= bound,
         "{what}: expected {}, got {} ({})",
-        show_number(want),
-        show_number(got),
+        both[0],
+        both[1],
         difference(off, bound),
     );
 }
@@ -125,6 +127,16 @@ pub fn brief(v: DVec3) -> String {
 pub fn brief_number(x: f64) -> String {
     // Six digits written and read back are the shortest form of a number that is near enough.
     show_number(format!("{x:.5e}").parse().unwrap_or(x))
+}
+
+/// Two values with few digits, or with all where the few do not tell them apart.
+fn brief_unless_equal<T: Copy>(
+    both: [T; 2],
+    brief: fn(T) -> String,
+    full: fn(T) -> String,
+) -> [String; 2] {
+    let [a, b] = both.map(brief);
+    if a == b { both.map(full) } else { [a, b] }
 }
 
 fn difference(off: f64, bound: f64) -> String {

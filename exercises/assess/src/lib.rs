@@ -9,6 +9,7 @@ mod grid;
 mod inputs;
 mod picture;
 mod segment;
+mod shadow;
 mod steps;
 mod windows;
 
@@ -20,5 +21,6 @@ pub use grid::Grid;
 pub use inputs::Inputs;
 pub use picture::{Ink, Panel, Picture};
 pub use segment::Segment;
+pub use shadow::{brief4, shadow_bound, shadow_plan, shadow_section};
 pub use steps::{Steps, calls_within, collect_within, first_calls};
 pub use windows::WindowCase;
