@@ -11,6 +11,7 @@ mod picture;
 mod segment;
 mod shadow;
 mod steps;
+mod sticks;
 mod windows;
 
 pub use compare::{
@@ -22,5 +23,6 @@ pub use inputs::Inputs;
 pub use picture::{Ink, Panel, Picture};
 pub use segment::Segment;
 pub use shadow::{brief4, shadow_bound, shadow_plan, shadow_section};
-pub use steps::{Steps, calls_within, collect_within, first_calls};
+pub use steps::{Steps, calls_within, collect_within, counted, first_calls, within_calls};
+pub use sticks::painted_sticks;
 pub use windows::WindowCase;
