@@ -15,7 +15,7 @@ struct Buffers {
 }
 
 fn draw(triangles: &[Triangle], width: usize, height: usize, far: f64) -> Buffers {
-    let mut colour = vec!['.'; width * height];
+    let colour = vec!['.'; width * height];
     let mut depth = vec![far; width * height];
     for triangle in triangles {
         let [a, b, c] = triangle.vertices;
