@@ -7,8 +7,8 @@ use std::time::Duration;
 use crate::answers::Answers;
 use crate::compile::{Compiler, Complaint};
 use crate::crate_dir::{self, Scratch};
-use crate::exercise_file::{MARKER, split, test_names};
-use crate::join::join_file;
+use crate::exercise_file::{MARKER, split, test_module, test_names};
+use crate::join::{join_file, without_tests};
 use crate::report::{ExerciseResult, Report, Status, Test, Verdict};
 use crate::set::{Exercise, Set, read_text};
 use crate::{build, harness, libtest, run};
@@ -18,6 +18,9 @@ const COMPILER_LINES: usize = 60;
 
 /// How many bytes a test may ask for; none of the course comes near it.
 const MEMORY: u64 = 1 << 30;
+
+/// How long after the time limit a test ends by itself.
+const ALONE: Duration = Duration::from_secs(2);
 
 /// What all students share, made once: the tests as functions, the compiled libraries that they use.
 pub struct Course {
@@ -32,6 +35,8 @@ struct Tests {
     exercise: Exercise,
     names: Vec<String>,
     callable: String,
+    /// How many lines stand between the marker line and the tests.
+    lines_before: usize,
 }
 
 impl Tests {
@@ -45,7 +50,33 @@ impl Tests {
     }
 
     fn tests_file(&self) -> String {
+        format!("exercises/{}/{}", self.exercise.topic, self.tests_beside())
+    }
+
+    /// The same from the file of the answer.
+    fn tests_beside(&self) -> String {
         format!("tests/{}.rs", self.name())
+    }
+
+    /// What the compiler says of the answer, as if the tests stood in its file.
+    fn told(&self, complaints: Vec<Complaint>) -> String {
+        let in_tests = complaints
+            .first()
+            .is_some_and(|first| first.file == self.tests_file());
+        let said: String = complaints.into_iter().map(|c| c.text).collect();
+        let mut said = without_tests(&said, self.name(), &self.tests_beside());
+        // On Windows the compiler joins the folder of the tests by a backslash.
+        let tests = self.tests_file();
+        for tests in [tests.replace("/tests/", "\\tests/"), tests] {
+            said = said.replace(&tests, &self.answer_file());
+        }
+        if in_tests {
+            said.insert_str(
+                0,
+                "the tests want the names and parameters as the exercise gives them\n",
+            );
+        }
+        first_lines(&said)
     }
 
     /// Each test as the command line names it, and its path from the module that holds the answer.
@@ -77,6 +108,8 @@ impl Course {
                 exercise: exercise.clone(),
                 names: test_names(below),
                 callable: harness::callable(below),
+                lines_before: below.matches('\n').count()
+                    - test_module(below).matches('\n').count(),
             });
         }
 
@@ -147,10 +180,12 @@ impl Course {
             let Some(Ok(answer)) = answers.files.get(tests.name()) else {
                 continue;
             };
-            let inside = format!("../../{}", tests.tests_file());
-            let joined = join_file(answer, tests.name(), &inside);
+            let joined = join_file(answer, tests.name(), &tests.tests_beside());
             crate_dir::write(&work.join(tests.answer_file()), &joined)?;
-            crate_dir::write(&work.join(tests.tests_file()), &tests.callable)?;
+            // The lines of the tests have the numbers that they have in the student's file.
+            let above = answer.matches('\n').count() + tests.lines_before;
+            let callable = format!("{}{}", "\n".repeat(above), tests.callable);
+            crate_dir::write(&work.join(tests.tests_file()), &callable)?;
             // Macros that leave their module could reach the tests of other answers.
             if answer.contains("macro_use") {
                 alone.push(tests);
@@ -220,8 +255,7 @@ impl Course {
             .compiler
             .compile(work, "rlib", &source, &library, &[])?;
         if let Err(complaints) = built {
-            let said: String = complaints.into_iter().map(|c| c.text).collect();
-            return Ok(Err(first_lines(&said)));
+            return Ok(Err(tests.told(complaints)));
         }
         let main = format!("alone_{name}.rs");
         let program = format!("alone_{name}{}", std::env::consts::EXE_SUFFIX);
@@ -232,10 +266,7 @@ impl Course {
             .compile(work, "bin", &main, &program, &answer)?
         {
             Ok(()) => Ok(Ok(program)),
-            Err(complaints) => {
-                let said: String = complaints.into_iter().map(|c| c.text).collect();
-                Ok(Err(first_lines(&said)))
-            }
+            Err(complaints) => Ok(Err(tests.told(complaints))),
         }
     }
 }
@@ -279,19 +310,24 @@ fn run_tests(
     work: &Path,
     limit: Duration,
 ) -> Result<ExerciseResult, String> {
-    let mut running = Vec::new();
+    let (mut running, mut tokens) = (Vec::new(), Vec::new());
+    // When we are gone, a test that loops ends by itself.
+    let alone = (limit.as_secs() + ALONE.as_secs()).to_string();
     for name in &tests.names {
         let token = harness::token();
         let one = format!("{}::{name}", tests.name());
-        running.push((
-            name,
-            run::start(program, &[&one], work, &token, Some(MEMORY))?,
-            token,
-        ));
+        running.push(run::start(
+            program,
+            &[&one, &alone],
+            work,
+            &token,
+            Some(MEMORY),
+        )?);
+        tokens.push(token);
     }
     let mut results = Vec::new();
-    for (name, running, token) in running {
-        let ended = running.wait(limit)?;
+    let ended = run::wait_all(running, limit)?;
+    for ((name, ended), token) in tests.names.iter().zip(ended).zip(tokens) {
         results.push(Test {
             name: name.clone(),
             time: ended.time,

@@ -37,6 +37,8 @@ pub fn callable(below: &str) -> String {
 }
 
 /// The entry point: `tests` are names as the command line has them, and paths of the functions.
+///
+/// After the seconds that the command line names second it ends by itself: the one that runs it may be gone.
 pub fn main(tests: &[(String, String)]) -> String {
     let arms: String = tests
         .iter()
@@ -51,6 +53,11 @@ pub fn main(tests: &[(String, String)]) -> String {
     let test: fn() = match name.as_str() {{
 {arms}        _ => ::std::process::exit(3),
     }};
+    let seconds = ::std::env::args().nth(2).and_then(|text| text.parse().ok()).unwrap_or(3600);
+    ::std::thread::spawn(move || {{
+        ::std::thread::sleep(::std::time::Duration::from_secs(seconds));
+        ::std::process::exit(4);
+    }});
     let running = ::std::thread::Builder::new().name(name).spawn(test);
     if running.is_ok_and(|thread| thread.join().is_ok()) {{
         let _ = ::std::io::Write::write_all(&mut ::std::io::stdout(), token.as_bytes());

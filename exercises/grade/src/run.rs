@@ -13,6 +13,9 @@ const KEPT_BYTES: usize = 1 << 20;
 /// How long the outputs may stay open after the program has ended: by what it started and we could not end.
 const PATIENCE: Duration = Duration::from_secs(1);
 
+/// How long what a program started may take to end after it: the system clears it away.
+const GRACE: Duration = Duration::from_millis(200);
+
 /// How a program ended.
 #[derive(Debug)]
 pub struct Ended {
@@ -39,6 +42,8 @@ pub struct Running {
 
 /// Starts a program in the folder `dir` and hands it `input`. Where the system can limit it, it has no more than
 /// `memory` bytes.
+///
+/// Without a limit of memory it is a program of ours: it stays with us, so that Ctrl-C in a terminal ends it too.
 pub fn start(
     program: &Path,
     arguments: &[&str],
@@ -75,34 +80,54 @@ pub fn start(
 
 impl Running {
     /// Waits for the program's end, or ends it `limit` after its start, and with it all that it started.
-    pub fn wait(mut self, limit: Duration) -> Result<Ended, String> {
-        let status = loop {
-            let ended = self
-                .child
-                .try_wait()
-                .map_err(|error| format!("cannot wait for a program: {error}"))?;
-            if ended.is_some() {
-                break ended;
-            }
-            if self.started.elapsed() >= limit {
-                break None;
-            }
-            thread::sleep(Duration::from_millis(2));
-        };
+    pub fn wait(self, limit: Duration) -> Result<Ended, String> {
+        let mut ended = wait_all(vec![self], limit)?;
+        ended.pop().ok_or_else(|| "a program was lost".to_owned())
+    }
+
+    /// How it ended, if it has; it is ended when it has run for `limit`.
+    fn look(&mut self, limit: Duration) -> Result<Option<Ended>, String> {
+        let status = self
+            .child
+            .try_wait()
+            .map_err(|error| format!("cannot wait for a program: {error}"))?;
         let time = self.started.elapsed();
-        let left_running = self.family.end();
+        if status.is_none() && time < limit {
+            return Ok(None);
+        }
+        let left_running = self.family.end(if status.is_some() {
+            GRACE
+        } else {
+            Duration::ZERO
+        });
         if status.is_none() {
             // It may have ended by itself since the last look: either way it is over.
             let _ = self.child.kill();
             let _ = self.child.wait();
         }
-        Ok(Ended {
+        Ok(Some(Ended {
             status,
             time,
             left_running: left_running && status.is_some(),
             stdout: self.stdout.recv_timeout(PATIENCE).unwrap_or_default(),
             stderr: self.stderr.recv_timeout(PATIENCE).unwrap_or_default(),
-        })
+        }))
+    }
+}
+
+/// Waits for programs that run side by side; each is ended `limit` after its start.
+pub fn wait_all(mut running: Vec<Running>, limit: Duration) -> Result<Vec<Ended>, String> {
+    let mut ended: Vec<Option<Ended>> = running.iter().map(|_| None).collect();
+    loop {
+        for (one, ended) in running.iter_mut().zip(&mut ended) {
+            if ended.is_none() {
+                *ended = one.look(limit)?;
+            }
+        }
+        if ended.iter().all(Option::is_some) {
+            return Ok(ended.into_iter().flatten().collect());
+        }
+        thread::sleep(Duration::from_millis(2));
     }
 }
 
@@ -137,30 +162,40 @@ mod family {
     use std::os::unix::process::CommandExt;
     use std::process::{Child, Command};
 
-    use rustix::process::{Pid, Signal, kill_process_group};
+    use std::thread;
+    use std::time::{Duration, Instant};
+
+    use rustix::process::{Pid, Signal, kill_process_group, test_kill_process_group};
 
     pub struct Family(Option<Pid>);
 
     pub fn spawn(command: &mut Command, memory: Option<u64>) -> std::io::Result<(Child, Family)> {
+        let Some(bytes) = memory else {
+            return Ok((command.spawn()?, Family(None)));
+        };
         let child = command.process_group(0).spawn()?;
         let leader = Pid::from_child(&child);
-        if let Some(bytes) = memory {
-            limit_memory(leader, bytes);
-        }
+        limit_memory(leader, bytes);
         Ok((child, Family(Some(leader))))
     }
 
     impl Family {
-        /// Ends all that still run, and says whether any did.
-        pub fn end(&mut self) -> bool {
-            let leader = self.0.take();
-            leader.is_some_and(|leader| kill_process_group(leader, Signal::KILL).is_ok())
+        /// Ends all that still run after `grace`, and says whether any did.
+        pub fn end(&mut self, grace: Duration) -> bool {
+            let Some(leader) = self.0.take() else {
+                return false;
+            };
+            let since = Instant::now();
+            while since.elapsed() < grace && test_kill_process_group(leader).is_ok() {
+                thread::sleep(Duration::from_millis(2));
+            }
+            kill_process_group(leader, Signal::KILL).is_ok()
         }
     }
 
     impl Drop for Family {
         fn drop(&mut self) {
-            self.end();
+            self.end(Duration::ZERO);
         }
     }
 
@@ -186,6 +221,7 @@ mod family {
 
     use std::os::windows::io::AsRawHandle;
     use std::process::{Child, Command};
+    use std::time::Duration;
 
     use win32job::{ExtendedLimitInfo, Job};
 
@@ -202,7 +238,7 @@ mod family {
 
     impl Family {
         /// Ends all that still run, and says whether any did.
-        pub fn end(&mut self) -> bool {
+        pub fn end(&mut self, _grace: Duration) -> bool {
             let Some(job) = self.0.take() else {
                 return false;
             };

@@ -474,3 +474,85 @@ fn a_constant_that_loops_is_told() {
         "does a constant loop without end?",
     );
 }
+
+#[test]
+fn the_compiler_is_quoted_as_if_the_tests_stood_in_the_file() {
+    let place = Place::of("quoted", &TWO);
+    place.file(
+        "first",
+        &format!("use std::nowhere::Nothing;\n\nfn double(x: u32) -> u32 {{ 2 * x }}\n{MARKER}\n"),
+    );
+    place.file(
+        "second",
+        &format!("fn double(x: u32, y: u32) -> u32 {{ x + y }}\n{MARKER}\n"),
+    );
+    let (found, junit) = place.graded();
+    assert_eq!(found["first"], "does not compile", "{junit}");
+    assert_eq!(found["second"], "does not compile", "{junit}");
+    for part in [
+        " --&gt; exercises/first/first.rs:1:10\n  |\n1 | use std::nowhere::Nothing;\n  |          ^^^^^^^ could",
+        "the tests want the names and parameters as the exercise gives them",
+        "--&gt; exercises/second/second.rs:12:20\n",
+    ] {
+        assert!(junit.contains(part), "{part}\n{junit}");
+    }
+    assert!(!junit.contains("tests/"), "{junit}");
+}
+
+#[test]
+fn a_test_beside_one_that_loops_has_its_own_time() {
+    let place = Place::of("times", &TWO);
+    let loops =
+        "fn double(x: u32) -> u32 { while x == 1 { std::hint::black_box(x); } 2 * x }\n".to_owned();
+    place.file("first", &format!("{loops}{MARKER}\n"));
+    let (found, junit) = place.graded();
+    assert_eq!(found["first"], "time limit", "{junit}");
+    let time = |test: &str| -> f64 {
+        let (_, after) = junit
+            .split_once(&format!("first\" name=\"{test}\" time=\""))
+            .unwrap();
+        after.split('"').next().unwrap().parse().unwrap()
+    };
+    assert!(time("one") >= 2.0 && time("ten") < 1.5, "{junit}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_test_that_loops_does_not_outlive_the_grader() {
+    let place = Place::of("orphan", &TWO);
+    let loops = "fn double(x: u32) -> u32 { loop { std::hint::black_box(x); } }\n";
+    place.file("first", &format!("{loops}{MARKER}\n"));
+    let mut grader = Command::new(env!("CARGO_BIN_EXE_ombra-grade"))
+        .arg("--exercises")
+        .arg(place.path("set"))
+        .arg("grade")
+        .arg(place.path("student"))
+        .arg("--out")
+        .arg(place.path("out"))
+        .args(["--time-limit", "3"])
+        .env("TMPDIR", &place.0)
+        .spawn()
+        .unwrap();
+    let runs = || {
+        let listed = Command::new("ps").args(["-A", "-o", "args"]).output();
+        let listed = String::from_utf8_lossy(&listed.unwrap().stdout).into_owned();
+        let of_ours = |line: &str| line.contains("-orphan-") && line.contains("first::one");
+        listed.lines().any(of_ours)
+    };
+    let wait = |state: bool| {
+        for _ in 0..600 {
+            if runs() == state {
+                return;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(100));
+        }
+        panic!(
+            "the test of the answer {}",
+            if state { "never ran" } else { "still runs" }
+        );
+    };
+    wait(true);
+    grader.kill().unwrap();
+    grader.wait().unwrap();
+    wait(false);
+}
