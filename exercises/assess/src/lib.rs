@@ -23,6 +23,8 @@ pub use inputs::Inputs;
 pub use picture::{Ink, Panel, Picture};
 pub use segment::Segment;
 pub use shadow::{brief4, shadow_bound, shadow_plan, shadow_section};
-pub use steps::{Steps, calls_within, collect_within, counted, first_calls, within_calls};
+pub use steps::{
+    Steps, calls_within, collect_within, counted, first_calls, sum, sums, watched, within_calls,
+};
 pub use sticks::painted_sticks;
 pub use windows::WindowCase;

@@ -1,8 +1,8 @@
 //! What is asked of the pixels of a segment, checked in whole numbers pixel by pixel.
 
-use glam::IVec2;
+use glam::{DVec2, IVec2};
 
-use crate::{Inputs, calls_within, first_calls};
+use crate::{Ink, Inputs, Panel, Picture, calls_within, first_calls, watched};
 
 /// A segment between two pixels.
 #[derive(Clone, Copy, Debug)]
@@ -39,12 +39,14 @@ impl Segment {
     #[track_caller]
     pub fn drawn_by(
         self,
-        draw: impl FnOnce(IVec2, IVec2, &mut dyn FnMut(i32, i32)),
+        draw: impl FnOnce(IVec2, IVec2, &mut dyn FnMut(i32, i32)) + Send + 'static,
     ) -> Vec<(i32, i32)> {
         let (dx, dy) = self.way();
         let limit = 2 * (dx.abs().max(dy.abs()) as usize + 1);
-        calls_within(&self.show(), limit, |take| {
-            draw(self.a, self.b, &mut |x, y| take((x, y)));
+        watched(&self.show(), move || {
+            calls_within(&self.show(), limit, |take| {
+                draw(self.a, self.b, &mut |x, y| take((x, y)));
+            })
         })
     }
 
@@ -52,10 +54,12 @@ impl Segment {
     pub fn begun_by(
         self,
         limit: usize,
-        draw: impl FnOnce(IVec2, IVec2, &mut dyn FnMut(i32, i32)),
+        draw: impl FnOnce(IVec2, IVec2, &mut dyn FnMut(i32, i32)) + Send + 'static,
     ) -> Result<Vec<(i32, i32)>, String> {
-        first_calls(limit, |take| {
-            draw(self.a, self.b, &mut |x, y| take((x, y)));
+        watched(&self.show(), move || {
+            first_calls(limit, |take| {
+                draw(self.a, self.b, &mut |x, y| take((x, y)));
+            })
         })
     }
 
@@ -86,23 +90,129 @@ impl Segment {
     pub fn assert_pixels(self, pixels: &[(i32, i32)]) {
         let (dx, dy) = self.way();
         let what = self.show();
-        let last = pixels.last().copied();
-        assert!(
-            pixels.first() != Some(&self.b.into())
-                || last != Some(self.a.into())
-                || self.a == self.b,
-            "{what}: the pixels run from b to a: the first one must be a",
-        );
+        let _picture = self.picture(pixels);
         let (count, want) = (
             pixels.len() as u64,
             dx.abs().max(dy.abs()).unsigned_abs() + 1,
         );
-        let rule = format!(
-            "plot is called {count}×, but max(|dx|, |dy|) steps lead from a to b, with both ends {want} pixels"
+        assert!(count > 0, "{what}: no pixel is plotted");
+        if self.a != self.b {
+            let turned: Vec<_> = pixels.iter().rev().copied().collect();
+            assert!(
+                count != want || !self.nearest(&turned),
+                "{what}: the pixels run from b to a: the first one must be a",
+            );
+            assert!(
+                count != want - 1 || !self.nearest(pixels),
+                "{what}: the last pixel is missing: plot is called {count}×, but the segment includes b, {want} pixels",
+            );
+            let with_a: Vec<_> = [self.a.into()].iter().chain(pixels).copied().collect();
+            assert!(
+                count != want - 1 || !self.nearest(&with_a),
+                "{what}: the first pixel is missing: plot is called {count}×, but the segment includes a, {want} pixels",
+            );
+        }
+        assert!(
+            count <= want,
+            "{what}: plot is called {count}×, but max(|dx|, |dy|) steps lead from a to b, with both ends {want} pixels"
         );
-        assert!(count <= want, "{what}: {rule}");
-        self.assert_begins_with(pixels);
-        assert!(count == want, "{what}: {rule}");
+        self.check_beginning(pixels);
+        assert!(
+            count == want,
+            "{what}: plot is called {count}×, but max(|dx|, |dy|) steps lead from a to b, with both ends {want} pixels"
+        );
+    }
+
+    /// The pixels beside the right ones, round the first that is wrong.
+    #[track_caller]
+    fn picture(self, pixels: &[(i32, i32)]) -> Picture {
+        const SHOWN: i64 = 24;
+        let (run, rise, steep) = self.octant();
+        let wanted: Vec<(i32, i32)> = (0..=run.min(1 << 16))
+            .map(|i| {
+                // The nearest whole number, a tie towards 0.
+                let across = if run == 0 {
+                    0
+                } else {
+                    (2 * i * rise + run - 1) / (2 * run)
+                };
+                self.at(i, across, steep)
+            })
+            .collect();
+        let differs = |i: &usize| pixels.get(*i) != wanted.get(*i);
+        let first = (0..wanted.len()).find(differs).unwrap_or(0) as i64;
+        let from = (first - SHOWN / 3).max(0) as usize;
+        let window = from..from + SHOWN as usize;
+        let near: Vec<_> = window.clone().filter_map(|i| wanted.get(i)).collect();
+        let (Some(low), Some(high)) = (
+            near.iter()
+                .map(|&&(x, y)| (x.min(x), y))
+                .reduce(|a, b| (a.0.min(b.0), a.1.min(b.1))),
+            near.iter()
+                .map(|&&p| p)
+                .reduce(|a, b| (a.0.max(b.0), a.1.max(b.1))),
+        ) else {
+            return Picture::beside(Panel::pixels(), Panel::pixels());
+        };
+        // What is drawn far from there is not shown, or the cells would be too small to see.
+        let is_near = |&(x, y): &(i32, i32)| {
+            let within = |v: i32, low: i32, high: i32| {
+                (i64::from(low) - 4..=i64::from(high) + 4).contains(&i64::from(v))
+            };
+            within(x, low.0, high.0) && within(y, low.1, high.1)
+        };
+        let (mut yours, mut right) = (Panel::pixels(), Panel::pixels());
+        for &&(x, y) in &near {
+            right.pixel(x, y, Ink::Right);
+            let is_drawn = pixels.contains(&(x, y));
+            yours.pixel(x, y, if is_drawn { Ink::Right } else { Ink::Missing });
+        }
+        let mut extra: Vec<_> = pixels.iter().filter(|p| is_near(p)).collect();
+        extra.retain(|p| !wanted.contains(p));
+        extra
+            .into_iter()
+            .take(200)
+            .for_each(|&(x, y)| yours.pixel(x, y, Ink::Extra));
+        // The line itself, between the ends of what is shown.
+        let ends = [window.start as i128, (window.end as i128 - 1).min(run)].map(|i| {
+            let along = i as f64;
+            let across = if run == 0 {
+                0.0
+            } else {
+                along * rise as f64 / run as f64
+            };
+            let (dx, dy) = self.way();
+            let (x, y) = if steep {
+                (across, along)
+            } else {
+                (along, across)
+            };
+            let sign = |d: i64| if d < 0 { -1.0 } else { 1.0 };
+            DVec2::new(
+                f64::from(self.a.x) + sign(dx) * x + 0.5,
+                f64::from(self.a.y) + sign(dy) * y + 0.5,
+            )
+        });
+        for panel in [&mut yours, &mut right] {
+            panel.segment(ends[0], ends[1], Ink::Ideal);
+        }
+        Picture::beside(yours, right)
+    }
+
+    /// The pixel so far along the longer axis and across it.
+    fn at(self, along: i128, across: i128, steep: bool) -> (i32, i32) {
+        let (dx, dy) = self.way();
+        let (x, y) = if steep {
+            (across, along)
+        } else {
+            (along, across)
+        };
+        let (x, y) = (x * i128::from(dx.signum()), y * i128::from(dy.signum()));
+        // Between a and b, so within i32.
+        (
+            (i128::from(self.a.x) + x) as i32,
+            (i128::from(self.a.y) + y) as i32,
+        )
     }
 
     /// Fails unless the segment begins with `pixels`.
@@ -112,6 +222,12 @@ impl Segment {
     /// As [`Segment::assert_pixels`].
     #[track_caller]
     pub fn assert_begins_with(self, pixels: &[(i32, i32)]) {
+        let _picture = self.picture(pixels);
+        self.check_beginning(pixels);
+    }
+
+    #[track_caller]
+    fn check_beginning(self, pixels: &[(i32, i32)]) {
         let what = self.show();
         let (run, rise, steep) = self.octant();
         let all = |rule: &dyn Fn(i64, (i64, i64)) -> bool| {
@@ -121,6 +237,25 @@ impl Segment {
         };
         let nearest = self.nearest(pixels);
         assert!(!pixels.is_empty(), "{what}: no pixel is plotted");
+        assert!(
+            pixels.first() == Some(&self.a.into()) || pixels.len() < 2,
+            "{what}: the first pixel is {:?}, not a",
+            pixels[0],
+        );
+        // The same pixels on the other side of a, in x, in y or in both.
+        for (sx, sy, names) in [(-1, 1, "x"), (1, -1, "y"), (-1, -1, "x and y")] {
+            let mirror = |&(x, y): &(i32, i32)| {
+                let (x, y) = Self::new(self.a, IVec2::new(x, y)).way();
+                let at = |a: i32, d: i64| i32::try_from(i64::from(a) + d).ok();
+                Some((at(self.a.x, sx * x)?, at(self.a.y, sy * y)?))
+            };
+            let mirrored: Option<Vec<_>> = pixels.iter().map(mirror).collect();
+            assert!(
+                nearest || pixels.len() < 5 || !mirrored.is_some_and(|m| self.nearest(&m)),
+                "{what}: {names} goes away from b: the sign of {} is lost",
+                names.replace('x', "dx").replace('y', "dy"),
+            );
+        }
         // Fewer pixels do not tell.
         let exchanged = pixels.len() >= 5
             && all(&|i, (along, across)| across == i && self.doubled_distance(i, along) <= run);
@@ -268,10 +403,22 @@ mod tests {
 
     #[test]
     #[should_panic(
-        expected = "plot is called 8×, but max(|dx|, |dy|) steps lead from a to b, with both ends 9 pixels"
+        expected = "the last pixel is missing: plot is called 8×, but the segment includes b, 9 pixels"
     )]
     fn a_missing_end_is_named() {
         slide().assert_pixels(&RIGHT[..8]);
+    }
+
+    #[test]
+    #[should_panic(expected = "the first pixel is missing: plot is called 8×")]
+    fn a_missing_start_is_named() {
+        slide().assert_pixels(&RIGHT[1..]);
+    }
+
+    #[test]
+    #[should_panic(expected = "y goes away from b: the sign of dy is lost")]
+    fn a_lost_sign_is_named() {
+        slide().assert_pixels(&RIGHT.map(|(x, y)| (x, -y)));
     }
 
     #[test]

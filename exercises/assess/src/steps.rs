@@ -1,7 +1,9 @@
 //! Step budgets: a loop that never ends is stopped and told so.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
 
 /// A number of steps that an algorithm may take.
 ///
@@ -102,7 +104,61 @@ pub fn first_calls<T>(limit: usize, run: impl FnOnce(&mut dyn FnMut(T))) -> Resu
     }
 }
 
+/// How long an answer may take that needs milliseconds; only a loop in which nothing is counted takes longer.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// What `run` returns, unless it is still at it after some seconds. It runs in a thread of its own, of the same name.
+///
+/// # Panics
+///
+/// When it does not end. A panic of `run` goes on here.
+#[track_caller]
+pub fn watched<T: Send + 'static>(what: &str, run: impl FnOnce() -> T + Send + 'static) -> T {
+    let (sender, receiver) = channel();
+    let name = std::thread::current().name().unwrap_or("test").to_owned();
+    let spawned = std::thread::Builder::new().name(name).spawn(move || {
+        // Who no longer waits needs no result.
+        let _ = sender.send(run());
+    });
+    let thread = match spawned {
+        Ok(thread) => thread,
+        Err(error) => panic!("{what}: no thread can be started: {error}"),
+    };
+    match receiver.recv_timeout(PATIENCE) {
+        Ok(result) => result,
+        Err(RecvTimeoutError::Timeout) => panic!(
+            "{what}: still at it after {} s, and nothing is plotted any more: does a loop never end?",
+            PATIENCE.as_secs()
+        ),
+        Err(RecvTimeoutError::Disconnected) => match thread.join() {
+            Err(panic) => resume_unwind(panic),
+            Ok(()) => panic!("{what}: nothing is returned"),
+        },
+    }
+}
+
+/// An addition of a coordinate that is kept, remembered for [`sums`].
+#[must_use]
+pub fn sum(x: f64, m: f64) -> f64 {
+    SUMS.with_borrow_mut(|sums| {
+        // Whoever adds without end is stopped by others.
+        if sums.len() < 1 << 20 {
+            sums.push((x, m));
+        }
+    });
+    x + m
+}
+
+/// What `run` returns, and the additions `x + m` that it made by [`sum`].
+pub fn sums<T>(run: impl FnOnce() -> T) -> (T, Vec<(f64, f64)>) {
+    SUMS.take();
+    let result = run();
+    (result, SUMS.take())
+}
+
 thread_local! {
+    static SUMS: RefCell<Vec<(f64, f64)>> = const { RefCell::new(Vec::new()) };
+
     /// How often [`counted`] may be called yet, and how often it might be in all; `None` while nobody counts.
     static CALLS: Cell<Option<(usize, usize, &'static str)>> = const { Cell::new(None) };
 }
@@ -172,6 +228,33 @@ mod tests {
             take(1);
             panic!("for another reason");
         });
+    }
+
+    #[test]
+    fn what_ends_is_returned_and_a_panic_goes_on() {
+        assert_eq!(watched("f", || 7), 7);
+        let panic = catch_unwind(|| watched("f", || resume_unwind(Box::new(5_u8))));
+        assert_eq!(
+            panic.err().and_then(|p| p.downcast::<u8>().ok()),
+            Some(Box::new(5))
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "f: still at it after 5 s")]
+    fn what_does_not_end_is_stopped() {
+        watched("f", || {
+            loop {
+                std::thread::sleep(PATIENCE);
+            }
+        });
+    }
+
+    #[test]
+    fn additions_are_remembered() {
+        let (three, made) = sums(|| sum(sum(0.0, 1.0), 2.0));
+        assert_eq!((three, made), (3.0, vec![(0.0, 1.0), (1.0, 2.0)]));
+        assert_eq!(sums(|| ()).1, []);
     }
 
     #[test]

@@ -31,7 +31,9 @@ mod raster1_analytic_segment {
 
     #[test]
     fn known_segment() {
-        let pixels = Segment::new(IVec2::ZERO, IVec2::new(8, 3)).drawn_by(segment);
+        let slide = Segment::new(IVec2::ZERO, IVec2::new(8, 3));
+        let pixels = slide.drawn_by(segment);
+        slide.assert_pixels(&pixels);
         // y = 3x / 8: 0, 3/8, 6/8, 9/8, 12/8 (a tie), 15/8, 18/8, 21/8, 3.
         Grid::of(9, 4, pixels).assert_is(
             "(0, 0) to (8, 3)",
@@ -43,7 +45,7 @@ mod raster1_analytic_segment {
     fn ties() {
         let mut inputs = Inputs::new(20);
         // m has a power of two below the line, so f64 holds it and every tie exactly.
-        for run in [2, 4, 8, 16, 32, 64].into_iter().cycle().take(200) {
+        for run in [2, 4, 8, 16, 32, 64].into_iter().flat_map(|run| [run; 33]) {
             let any = Segment::any(&mut inputs, run);
             any.assert_pixels(&any.drawn_by(segment));
         }
@@ -54,7 +56,7 @@ mod raster1_analytic_segment {
         let mut inputs = Inputs::new(21);
         let mut all = Vec::new();
         // 2 dy x / dx is never odd: no ties here.
-        for run in (5..65).step_by(2).cycle().take(200) {
+        for run in (5..65).step_by(2).flat_map(|run| [run; 7]) {
             let any = Segment::any(&mut inputs, run);
             let pixels = any.drawn_by(segment);
             all.push((any, pixels));
@@ -94,10 +96,12 @@ mod raster1_analytic_segment {
         for a in [IVec2::ZERO, IVec2::new(7, -5), IVec2::MAX] {
             let one = Segment::new(a, a);
             let pixels = one.drawn_by(segment);
+            assert!(!pixels.is_empty(), "{}: no pixel is plotted", one.show());
             assert!(
                 pixels == [(a.x, a.y)],
-                "{}: got {pixels:?}, but this is one pixel, a itself: m = 0 / 0 is not a number",
+                "{}: plotted {:?}, but this is one pixel, a itself: m = 0 / 0 is not a number",
                 one.show(),
+                &pixels[..pixels.len().min(3)],
             );
         }
     }
@@ -111,6 +115,17 @@ mod raster1_analytic_segment {
                 panic!("{}: {said}: x or y goes beyond the last pixel", rim.show())
             });
             rim.assert_pixels(&pixels);
+        }
+        // |dx| = 2³¹ is no i32, though dx is one.
+        for (x, y) in [(i32::MIN, 5), (5, i32::MIN), (i32::MIN, i32::MIN)] {
+            let long = Segment::new(IVec2::ZERO, IVec2::new(x, y));
+            let pixels = long.begun_by(100, segment).unwrap_or_else(|said| {
+                panic!(
+                    "{}: {said}: |dx| or |dy| is 2³¹, which i32 does not hold",
+                    long.show()
+                )
+            });
+            long.assert_begins_with(&pixels);
         }
     }
 }

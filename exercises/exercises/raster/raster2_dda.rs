@@ -1,5 +1,10 @@
 use glam::IVec2;
 
+/// x + m, given. The tests count its calls: it is the one operation of a step.
+fn add(x: f64, m: f64) -> f64 {
+    assess::sum(x, m)
+}
+
 /// The pixels of the segment from `a` to `b` with one addition and one rounding a pixel: the DDA (digital
 /// differential analyzer).
 ///
@@ -9,7 +14,8 @@ use glam::IVec2;
 /// ```
 ///
 /// max(|dx|, |dy|) steps lead from a to b; each sign is that of dx or dy. The pixels are those of the analytic
-/// segment: the nearest ones, and at a tie the one nearer the start. Add in f64. dx and dy fit an `i32`.
+/// segment: the nearest ones, and at a tie the one nearer the start. Add in f64, by the function `add` above: each step adds
+/// the same m to what the last one left, and no step multiplies. dx and dy fit an `i32`.
 ///
 /// `plot(x, y)` lights a pixel; y points down.
 ///
@@ -40,11 +46,64 @@ fn main() {}
 #[cfg(test)]
 mod raster2_dda {
     use super::{drift, segment};
-    use assess::{Grid, Inputs, Segment, near_number};
+    use assess::{Grid, Inputs, Segment, brief_number, calls_within, near_number, sums, watched};
     use glam::IVec2;
 
+    /// The pixels, and the additions that were made for them.
+    type Drawn = (Vec<(i32, i32)>, Vec<(f64, f64)>);
+
+    fn drawn(wanted: Segment) -> Drawn {
+        let (a, b) = (wanted.a, wanted.b);
+        let run = move || {
+            sums(|| {
+                calls_within(&wanted.show(), limit(wanted), |take| {
+                    segment(a, b, &mut |x, y| take((x, y)));
+                })
+            })
+        };
+        watched(&wanted.show(), run)
+    }
+
+    /// Twice the pixels that there are.
+    fn limit(wanted: Segment) -> usize {
+        let d = (wanted.b - wanted.a).abs();
+        2 * (d.max_element() as usize + 1)
+    }
+
+    /// Fails unless each step adds what the others add, to what the last one left.
+    fn check_sums(wanted: Segment, additions: &[(f64, f64)]) {
+        let what = wanted.show();
+        let steps = (wanted.b - wanted.a).abs().max_element() as usize;
+        if steps < 4 {
+            return;
+        }
+        assert!(
+            !additions.is_empty(),
+            "{what}: `add` is not called: in a DDA each step adds m to the coordinate that is kept, by `add`",
+        );
+        let mut added: Vec<f64> = additions.iter().map(|&(_, m)| m).collect();
+        added.sort_by(f64::total_cmp);
+        added.dedup();
+        assert!(
+            added.len() <= 3,
+            "{what}: the steps add {} different numbers, {}, {}, {} …: m times the step, or m worked out anew, is a product a \
+             pixel; a DDA adds the same m each time to what it kept",
+            added.len(),
+            brief_number(added[0]),
+            brief_number(added[1]),
+            brief_number(added[2]),
+        );
+        // One addition a step and coordinate; the last one may be left out.
+        assert!(
+            (steps - 1..=2 * steps + 2).contains(&additions.len()),
+            "{what}: `add` is called {}×, but {steps} steps lead from a to b: one addition a step for the coordinate \
+             that gets m, one more at most for the other",
+            additions.len(),
+        );
+    }
+
     fn check(wanted: Segment) {
-        let pixels = wanted.drawn_by(segment);
+        let (pixels, additions) = drawn(wanted);
         let moves = || {
             pixels
                 .windows(2)
@@ -59,6 +118,7 @@ mod raster2_dda {
             wanted.show(),
         );
         wanted.assert_pixels(&pixels);
+        check_sums(wanted, &additions);
     }
 
     /// n times m = k / 2²⁴ in f32, in units of 2⁻²⁴: a sum of more than 24 bits is rounded to 24, a half to even.
@@ -92,7 +152,9 @@ mod raster2_dda {
 
     #[test]
     fn known_segment() {
-        let pixels = Segment::new(IVec2::ZERO, IVec2::new(8, 3)).drawn_by(segment);
+        let slide = Segment::new(IVec2::ZERO, IVec2::new(8, 3));
+        check(slide);
+        let pixels = slide.drawn_by(segment);
         Grid::of(9, 4, pixels).assert_is(
             "(0, 0) to (8, 3)",
             &["##.......", "..###....", ".....##..", ".......##"],
@@ -103,7 +165,7 @@ mod raster2_dda {
     fn ties() {
         let mut inputs = Inputs::new(22);
         // m has a power of two below the line, so f64 holds every sum and every tie exactly.
-        for run in [8, 16, 32, 64].into_iter().cycle().take(200) {
+        for run in [8, 16, 32, 64].into_iter().flat_map(|run| [run; 50]) {
             check(Segment::any(&mut inputs, run));
         }
     }
@@ -112,7 +174,7 @@ mod raster2_dda {
     fn any_segment() {
         let mut inputs = Inputs::new(23);
         // 2 dy x / dx is never odd: no ties here.
-        for run in (5..65).step_by(2).cycle().take(200) {
+        for run in (5..65).step_by(2).flat_map(|run| [run; 7]) {
             check(Segment::any(&mut inputs, run));
         }
         for a in [IVec2::ZERO, IVec2::new(7, -5)] {
@@ -136,6 +198,29 @@ mod raster2_dda {
                 long.show(),
             );
             check(long);
+        }
+    }
+
+    #[test]
+    fn at_the_rim_of_i32() {
+        let a = IVec2::new(i32::MAX - 8, i32::MIN);
+        for (a, b) in [(a, a + IVec2::new(8, 3)), (a + IVec2::new(3, 8), a)] {
+            let rim = Segment::new(a, b);
+            let pixels = rim.begun_by(20, segment).unwrap_or_else(|said| {
+                panic!("{}: {said}: x or y goes beyond the last pixel", rim.show())
+            });
+            rim.assert_pixels(&pixels);
+        }
+        // |dx| = 2³¹ is no i32, though dx is one.
+        for (x, y) in [(i32::MIN, 5), (5, i32::MIN), (i32::MIN, i32::MIN)] {
+            let long = Segment::new(IVec2::ZERO, IVec2::new(x, y));
+            let pixels = long.begun_by(100, segment).unwrap_or_else(|said| {
+                panic!(
+                    "{}: {said}: |dx| or |dy| is 2³¹, which i32 does not hold",
+                    long.show()
+                )
+            });
+            long.assert_begins_with(&pixels);
         }
     }
 

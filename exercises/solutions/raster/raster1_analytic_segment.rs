@@ -19,16 +19,17 @@ fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
         return plot(a.x, a.y);
     }
     let d = b - a;
-    if d.x.abs() >= d.y.abs() {
+    // The longer way may be 2³¹, which i32 does not hold.
+    if d.x.unsigned_abs() >= d.y.unsigned_abs() {
         let m = f64::from(d.y) / f64::from(d.x);
-        for i in 0..=d.x.abs() {
-            let x = i * d.x.signum();
+        for i in 0..=d.x.unsigned_abs() {
+            let x = (i64::from(i) * i64::from(d.x.signum())) as i32;
             plot(a.x + x, a.y + nearest(m * f64::from(x)));
         }
     } else {
         let per_row = f64::from(d.x) / f64::from(d.y);
-        for i in 0..=d.y.abs() {
-            let y = i * d.y.signum();
+        for i in 0..=d.y.unsigned_abs() {
+            let y = (i64::from(i) * i64::from(d.y.signum())) as i32;
             plot(a.x + nearest(per_row * f64::from(y)), a.y + y);
         }
     }

@@ -1,4 +1,9 @@
-use glam::{DVec2, IVec2};
+use glam::IVec2;
+
+/// x + m, given. The tests count its calls: it is the one operation of a step.
+fn add(x: f64, m: f64) -> f64 {
+    assess::sum(x, m)
+}
 
 /// The pixels of the segment from `a` to `b` with one addition and one rounding a pixel: the DDA (digital
 /// differential analyzer).
@@ -9,19 +14,21 @@ use glam::{DVec2, IVec2};
 /// ```
 ///
 /// max(|dx|, |dy|) steps lead from a to b; each sign is that of dx or dy. The pixels are those of the analytic
-/// segment: the nearest ones, and at a tie the one nearer the start. Add in f64. dx and dy fit an `i32`.
+/// segment: the nearest ones, and at a tie the one nearer the start. Add in f64, by the function `add` above: each step adds
+/// the same m to what the last one left, and no step multiplies. dx and dy fit an `i32`.
 ///
 /// `plot(x, y)` lights a pixel; y points down.
 ///
 /// Grafica 3, Soluzione analitica.
 fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
     let d = b - a;
-    let steps = d.abs().max_element();
+    // It may be 2³¹, which i32 does not hold.
+    let steps = d.x.unsigned_abs().max(d.y.unsigned_abs());
     let step = d.as_dvec2() / f64::from(steps.max(1));
-    let mut offset = DVec2::ZERO;
+    let (mut x, mut y) = (0.0, 0.0);
     for _ in 0..=steps {
-        plot(a.x + nearest(offset.x), a.y + nearest(offset.y));
-        offset += step;
+        plot(a.x + nearest(x), a.y + nearest(y));
+        (x, y) = (add(x, step.x), add(y, step.y));
     }
 }
 

@@ -1,6 +1,10 @@
 // rejected by any_drift: so little comes from sums in f64
 use glam::IVec2;
 
+fn add(x: f64, m: f64) -> f64 {
+    assess::sum(x, m)
+}
+
 fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
     let d = b - a;
     let steps = d.abs().max_element();
@@ -8,7 +12,8 @@ fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
     let mut offset = 0.0 * step;
     for _ in 0..=steps {
         plot(a.x + nearest(offset.x), a.y + nearest(offset.y));
-        offset += step;
+        offset.x = add(offset.x, step.x);
+        offset.y = add(offset.y, step.y);
     }
 }
 

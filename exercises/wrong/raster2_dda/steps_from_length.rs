@@ -1,6 +1,10 @@
 // rejected by any_segment: max(|dx|, |dy|) steps lead from a to b
 use glam::IVec2;
 
+fn add(x: f64, m: f64) -> f64 {
+    assess::sum(x, m)
+}
+
 fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
     let d = (b - a).as_dvec2();
     let steps = d.length().round();
@@ -8,7 +12,8 @@ fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
     let mut offset = 0.0 * d;
     for _ in 0..=steps as i32 {
         plot(a.x + nearest(offset.x), a.y + nearest(offset.y));
-        offset += step;
+        offset.x = add(offset.x, step.x);
+        offset.y = add(offset.y, step.y);
     }
 }
 

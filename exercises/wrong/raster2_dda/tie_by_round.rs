@@ -1,6 +1,10 @@
 // rejected by ties: the line passes halfway between two pixels
 use glam::IVec2;
 
+fn add(x: f64, m: f64) -> f64 {
+    assess::sum(x, m)
+}
+
 fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
     let d = b - a;
     let steps = d.abs().max_element();
@@ -8,7 +12,8 @@ fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
     let mut p = a.as_dvec2();
     for _ in 0..=steps {
         plot(p.x.round() as i32, p.y.round() as i32);
-        p += step;
+        p.x = add(p.x, step.x);
+        p.y = add(p.y, step.y);
     }
 }
 

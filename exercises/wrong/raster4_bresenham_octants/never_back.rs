@@ -1,4 +1,4 @@
-// rejected by any_segment: steps were enough and the loop still runs
+// rejected by known_segments: the sign of dx is lost
 use glam::IVec2;
 
 fn segment(a: IVec2, b: IVec2, plot: &mut dyn FnMut(i32, i32)) {
