@@ -96,7 +96,11 @@ mod raster1_analytic_segment {
         for a in [IVec2::ZERO, IVec2::new(7, -5), IVec2::MAX] {
             let one = Segment::new(a, a);
             let pixels = one.drawn_by(segment);
-            assert!(!pixels.is_empty(), "{}: no pixel is plotted", one.show());
+            assert!(
+                !pixels.is_empty(),
+                "{}: plot is not called, but a = b is one pixel",
+                one.show(),
+            );
             assert!(
                 pixels == [(a.x, a.y)],
                 "{}: plotted {:?}, but this is one pixel, a itself: m = 0 / 0 is not a number",
