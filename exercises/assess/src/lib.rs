@@ -20,4 +20,6 @@ pub use inputs::Inputs;
 pub use picture::{Ink, Panel, Picture};
 pub use segment::Segment;
 pub use steps::{Steps, calls_within, collect_within, first_calls};
-pub use windows::WindowCase;
+pub use windows::{
+    PolygonCase, SIDES, WindowCase, code_asked, codes_within, point_beside, short_point,
+};

@@ -1,0 +1,461 @@
+//! Polygons against a line and in a window.
+
+use std::fmt;
+
+use glam::{DVec2, DVec3};
+
+use super::{SIDES, short, short_point};
+use crate::{Ink, Panel, Picture};
+
+/// A polygon and the lines that clip it, one after another: one line, or the four sides of a window.
+#[derive(Clone, Debug)]
+pub struct PolygonCase {
+    polygon: Vec<DVec2>,
+    lines: Vec<DVec3>,
+    window: Option<(DVec2, DVec2)>,
+}
+
+/// At most so many vertices are told.
+const MOST_POINTS: usize = 6;
+
+fn side(line: DVec3, p: DVec2) -> f64 {
+    line.dot(p.extend(1.0))
+}
+
+/// Each edge of a polygon, the one from the last vertex to the first at the end.
+fn edges(polygon: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> {
+    let next = polygon.iter().cycle().skip(1);
+    polygon.iter().copied().zip(next.copied())
+}
+
+fn area(polygon: &[DVec2]) -> f64 {
+    edges(polygon).map(|(a, b)| a.perp_dot(b)).sum::<f64>() / 2.0
+}
+
+/// Whether a point is in the polygon by the even-odd rule; `None` on an edge.
+fn contains(polygon: &[DVec2], p: DVec2) -> Option<bool> {
+    let mut inside = false;
+    for (a, b) in edges(polygon) {
+        let side = (b - a).perp_dot(p - a);
+        if side == 0.0 && (a - p).dot(b - p) <= 0.0 {
+            return None;
+        }
+        inside ^= (a.y <= p.y) != (b.y <= p.y) && (side < 0.0) == (a.y < b.y);
+    }
+    Some(inside)
+}
+
+fn show_list(points: &[DVec2]) -> String {
+    if points.is_empty() {
+        return "nothing".to_owned();
+    }
+    let shown: Vec<String> = points
+        .iter()
+        .take(MOST_POINTS)
+        .map(|&p| short_point(p))
+        .collect();
+    let more = match points.len() {
+        count if count > MOST_POINTS => format!(" … ({count} vertices)"),
+        _ => String::new(),
+    };
+    shown.join(" ") + &more
+}
+
+/// A line as `2 x − y + 3 ≥ 0`.
+fn show_line(line: DVec3) -> String {
+    let mut text = String::new();
+    for (factor, name) in [(line.x, " x"), (line.y, " y"), (line.z, "")] {
+        if factor == 0.0 {
+            continue;
+        }
+        let sign = match (text.is_empty(), factor < 0.0) {
+            (true, false) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (false, true) => " − ",
+        };
+        text += sign;
+        if factor.abs() == 1.0 && !name.is_empty() {
+            text += name.trim_start();
+        } else {
+            text += &short(factor.abs());
+            text += name;
+        }
+    }
+    if text.is_empty() {
+        text += "0";
+    }
+    text + " ≥ 0"
+}
+
+/// What an edge puts: the crossing, then its second vertex.
+fn put(line: DVec3, (a, b): (DVec2, DVec2)) -> (Option<DVec2>, Option<DVec2>) {
+    let (side_a, side_b) = (side(line, a), side(line, b));
+    let crosses = (side_a > 0.0 && side_b < 0.0) || (side_a < 0.0 && side_b > 0.0);
+    let crossing = crosses.then(|| a + (b - a) * (side_a / (side_a - side_b)));
+    (crossing, (side_b >= 0.0).then_some(b))
+}
+
+impl PolygonCase {
+    /// A polygon against the line `(a, b, c)`.
+    #[must_use]
+    pub fn against(polygon: &[DVec2], line: DVec3) -> Self {
+        Self {
+            polygon: polygon.to_vec(),
+            lines: vec![line],
+            window: None,
+        }
+    }
+
+    /// A polygon in a window.
+    #[must_use]
+    pub fn in_window(polygon: &[DVec2], min: DVec2, max: DVec2) -> Self {
+        Self {
+            polygon: polygon.to_vec(),
+            lines: vec![
+                DVec3::new(1.0, 0.0, -min.x),
+                DVec3::new(-1.0, 0.0, max.x),
+                DVec3::new(0.0, 1.0, -min.y),
+                DVec3::new(0.0, -1.0, max.y),
+            ],
+            window: Some((min, max)),
+        }
+    }
+
+    /// What the lines leave, for the picture and for one line.
+    fn want(&self) -> Vec<DVec2> {
+        let mut polygon = self.polygon.clone();
+        for &line in &self.lines {
+            polygon = edges(&polygon)
+                .map(|edge| put(line, edge))
+                .flat_map(|(crossing, b)| [crossing, b].into_iter().flatten())
+                .collect();
+        }
+        if polygon.len() < 3 {
+            polygon.clear();
+        }
+        polygon
+    }
+
+    fn largest(&self) -> f64 {
+        let largest = |most: f64, p: &DVec2| most.max(p.abs().max_element());
+        self.polygon.iter().fold(0.0, largest)
+    }
+
+    /// Some roundings of the largest coordinate, at a crossing that may be flat by 1 : 240.
+    fn is_near(&self, p: DVec2, q: DVec2) -> bool {
+        (p - q).abs().max_element() <= 2048.0 * f64::EPSILON * self.largest()
+    }
+
+    /// Whether both lists name the same polygon, from whichever vertex on.
+    fn is_same(&self, got: &[DVec2], want: &[DVec2]) -> bool {
+        let near = |(&p, &q): (&DVec2, &DVec2)| self.is_near(p, q);
+        got.len() == want.len()
+            && (got.is_empty()
+                || (0..got.len()).any(|start| got.iter().cycle().skip(start).zip(want).all(near)))
+    }
+
+    /// What the student kept, beside what is right.
+    #[track_caller]
+    pub fn picture(&self, got: &[DVec2]) -> Picture {
+        let panel = |kept: &[DVec2], ink| {
+            let mut panel = Panel::plane();
+            panel.polygon(&self.polygon, Ink::Faint);
+            panel.polygon(kept, ink);
+            for &p in kept {
+                panel.point(p, "", ink);
+            }
+            match self.window {
+                Some((min, max)) => panel.window(min, max),
+                None => self.draw_line(&mut panel),
+            }
+            panel
+        };
+        let want = self.want();
+        let ink = match self.is_same(got, &want) {
+            true => Ink::Right,
+            false => Ink::Extra,
+        };
+        Picture::beside(panel(got, ink), panel(&want, Ink::Right))
+    }
+
+    /// The part of the line that passes the polygon.
+    fn draw_line(&self, panel: &mut Panel) {
+        let low = self.polygon.iter().copied().reduce(DVec2::min);
+        let high = self.polygon.iter().copied().reduce(DVec2::max);
+        let (Some(low), Some(high)) = (low, high) else {
+            return;
+        };
+        for &line in &self.lines {
+            let normal = line.truncate();
+            let Some(along) = normal.perp().try_normalize() else {
+                continue;
+            };
+            let centre = low + (high - low) / 2.0;
+            let foot = centre - normal * (side(line, centre) / normal.length_squared());
+            let reach = 0.6 * (high - low).length();
+            if foot.distance(centre) <= 2.0 * reach {
+                panel.segment(foot - reach * along, foot + reach * along, Ink::Ideal);
+            }
+        }
+    }
+
+    /// Fails unless `clip` gives what is right, and leaves a picture.
+    ///
+    /// # Panics
+    ///
+    /// When it does not, with what can be said of it: the plainest first.
+    #[track_caller]
+    pub fn check(&self, clip: &dyn Fn(&[DVec2]) -> Vec<DVec2>) {
+        let got = clip(&self.polygon);
+        let _picture = self.picture(&got);
+        let wrong = match (self.window, &self.lines[..]) {
+            (None, &[line]) => self.wrong_at(line, &got, clip),
+            (window, _) => window.and_then(|(min, max)| self.wrong_in(min, max, &got)),
+        };
+        if let Some(wrong) = wrong {
+            panic!("{self}: {wrong}");
+        }
+    }
+
+    /// Against one line the vertices and their order are certain.
+    fn wrong_at(
+        &self,
+        line: DVec3,
+        got: &[DVec2],
+        clip: &dyn Fn(&[DVec2]) -> Vec<DVec2>,
+    ) -> Option<String> {
+        let want = self.want();
+        if self.is_same(got, &want) && !got.iter().any(|p| p.is_nan()) {
+            return None;
+        }
+        if let Some(wrong) = self.wrong_anywhere(got, &want) {
+            return Some(wrong);
+        }
+        let s = |p| side(line, p);
+        let has = |points: &[DVec2], p| points.iter().any(|&q| self.is_near(p, q));
+        // The other side.
+        let is_beyond = |p: &DVec2| s(*p) < 0.0 && !has(&want, *p);
+        if got.iter().any(is_beyond)
+            && self
+                .polygon
+                .iter()
+                .all(|&p| (s(p) < 0.0) == has(got, p) || s(p) == 0.0)
+        {
+            return Some(format!(
+                "{} is kept, the part with s ≤ 0; inside is s ≥ 0",
+                show_list(got)
+            ));
+        }
+        for &p in got {
+            if self.polygon.contains(&p) && s(p) < 0.0 && !has(&want, p) {
+                return Some(format!(
+                    "{} is put, but it lies outside: s = {} < 0",
+                    short_point(p),
+                    short(s(p))
+                ));
+            }
+        }
+        // Crossings at a wrong place.
+        let puts: Vec<_> = edges(&self.polygon)
+            .map(|edge| (edge, put(line, edge)))
+            .collect();
+        let expected: Vec<DVec2> = puts
+            .iter()
+            .flat_map(|(_, (crossing, b))| [*crossing, *b].into_iter().flatten())
+            .collect();
+        if let Some(&stray) = got.iter().find(|&&p| !has(&expected, p)) {
+            let on_edge = puts.iter().find(|((a, b), (crossing, _))| {
+                let (way, to) = (*b - *a, stray - *a);
+                crossing.is_some() && way.perp_dot(to).abs() <= 1e-12 * way.length_squared()
+            });
+            return Some(match on_edge {
+                Some(&((a, b), (Some(crossing), _))) => format!(
+                    "{} is on the edge {} → {}, but not on the line; the crossing is {}: A + (B − A) s_A / (s_A − s_B)",
+                    short_point(stray),
+                    short_point(a),
+                    short_point(b),
+                    short_point(crossing)
+                ),
+                _ => format!(
+                    "{} is put, but it is neither a vertex of the polygon nor a crossing",
+                    short_point(stray)
+                ),
+            });
+        }
+        if got.len() < 3 {
+            return Some(format!(
+                "got {}: fewer than three are no polygon, so the answer has none",
+                show_list(got)
+            ));
+        }
+        // What is not there.
+        for (i, &((a, b), (crossing, vertex))) in puts.iter().enumerate() {
+            let missing = [(crossing, "the crossing"), (vertex, "B")];
+            for (p, name) in missing {
+                let Some(p) = p.filter(|&p| !has(got, p)) else {
+                    continue;
+                };
+                let p_shown = short_point(p);
+                if i + 1 == puts.len() {
+                    let mut other = self.polygon.clone();
+                    other.rotate_right(1);
+                    if has(&clip(&other), p) {
+                        return Some(format!(
+                            "{p_shown} is missing, but put when the list begins at another vertex: the edge from the last \
+                             vertex to the first belongs to the polygon"
+                        ));
+                    }
+                }
+                let place = |p| if s(p) >= 0.0 { "inside" } else { "outside" };
+                return Some(format!(
+                    "A = {} is {}, B = {} is {}: put {name}, {p_shown}, which is missing",
+                    short_point(a),
+                    place(a),
+                    short_point(b),
+                    place(b),
+                ));
+            }
+        }
+        for &(_, (crossing, vertex)) in &puts {
+            let Some((crossing, vertex)) = crossing.zip(vertex) else {
+                continue;
+            };
+            let turned =
+                |(p, q): (DVec2, DVec2)| self.is_near(p, vertex) && self.is_near(q, crossing);
+            if got.len() == want.len() && edges(got).any(turned) {
+                return Some(format!(
+                    "{} comes before {}: where an edge comes in, put the crossing, then B",
+                    short_point(vertex),
+                    short_point(crossing)
+                ));
+            }
+        }
+        Some(format!(
+            "expected {}, got {}",
+            show_list(&want),
+            show_list(got)
+        ))
+    }
+
+    /// In a window pieces may be joined in several ways: the area counts, and what is in it.
+    fn wrong_in(&self, min: DVec2, max: DVec2, got: &[DVec2]) -> Option<String> {
+        let want = self.want();
+        if got.is_empty() && area(&want).abs() <= 1e-9 * self.largest().powi(2) {
+            return None;
+        }
+        if let Some(wrong) = self.wrong_anywhere(got, &want) {
+            return Some(wrong);
+        }
+        let slack = 2048.0 * f64::EPSILON * self.largest();
+        for &p in got {
+            let beyond = [
+                p.y > max.y + slack,
+                p.y < min.y - slack,
+                p.x > max.x + slack,
+                p.x < min.x - slack,
+            ];
+            if let Some(side) = beyond.into_iter().position(|beyond| beyond) {
+                return Some(format!(
+                    "{} is put, but it lies beyond the {} side: clip against all four",
+                    short_point(p),
+                    SIDES[side]
+                ));
+            }
+        }
+        // The middles of 24 × 24 cells, which are halves where the window is 0…24.
+        let step = (self.largest() / 24.0).max(f64::MIN_POSITIVE);
+        for p in (0..24 * 24).map(|i| DVec2::new((i % 24).into(), (i / 24).into())) {
+            let p = (p + 0.5) * step;
+            let (Some(given), Some(is_in)) = (contains(&self.polygon, p), contains(got, p)) else {
+                continue;
+            };
+            let in_window = p.cmpge(min).all() && p.cmple(max).all();
+            if is_in && !given {
+                return Some(format!(
+                    "{} is in the answer {}, but not in the polygon",
+                    short_point(p),
+                    show_list(got)
+                ));
+            }
+            if !is_in && given && in_window {
+                return Some(format!(
+                    "{} is in the polygon and in the window, but not in the answer {}",
+                    short_point(p),
+                    show_list(got)
+                ));
+            }
+        }
+        let (want, got_area) = (area(&want), area(got));
+        if (want + got_area).abs() < 0.5 * want.abs() {
+            return Some(format!(
+                "got {}: the vertices go round the other way; they keep their order",
+                show_list(got)
+            ));
+        }
+        if (want - got_area).abs() > 1e-9 * self.largest().powi(2) {
+            return Some(format!(
+                "the part in the window has the area {}, the answer {}: {}",
+                short(want.abs()),
+                show_list(got),
+                short(got_area)
+            ));
+        }
+        None
+    }
+
+    /// What is plain before one looks at any edge.
+    fn wrong_anywhere(&self, got: &[DVec2], want: &[DVec2]) -> Option<String> {
+        if got.is_empty() {
+            return Some(format!(
+                "nothing is kept, but {} is inside",
+                show_list(want)
+            ));
+        }
+        if let Some(p) = got.iter().find(|p| !p.is_finite()) {
+            return Some(format!(
+                "{} is put: a crossing is asked for only where s_A and s_B have different signs",
+                short_point(*p)
+            ));
+        }
+        let given = &self.polygon;
+        let twice = |p: &DVec2| edges(given).any(|(a, b)| a == b && a == *p);
+        let is_twice = edges(got).find(|(p, q)| got.len() > 1 && p == q && !twice(p));
+        let all = want
+            .iter()
+            .all(|&p| got.iter().any(|&q| self.is_near(p, q)));
+        if let Some((p, _)) = is_twice.filter(|_| all) {
+            return Some(format!(
+                "{} is put twice in {}: each edge puts its end B alone, and a vertex on the line is its own crossing",
+                short_point(p),
+                show_list(got)
+            ));
+        }
+        let turned: Vec<_> = got.iter().rev().copied().collect();
+        if !self.is_same(got, want) && self.is_same(&turned, want) {
+            return Some(format!(
+                "got {}: the right vertices the other way round; they keep their order",
+                show_list(got)
+            ));
+        }
+        None
+    }
+}
+
+impl fmt::Display for PolygonCase {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let polygon = show_list(&self.polygon);
+        match self.window {
+            Some((min, max)) => write!(
+                f,
+                "{polygon} in the window {} to {}",
+                short_point(min),
+                short_point(max)
+            ),
+            None => {
+                let lines: Vec<String> = self.lines.iter().map(|&line| show_line(line)).collect();
+                write!(f, "{polygon} against {}", lines.join(", "))
+            }
+        }
+    }
+}
