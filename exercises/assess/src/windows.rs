@@ -110,6 +110,19 @@ impl WindowCase {
         }
     }
 
+    /// Many of them, those with the smaller numbers first.
+    pub fn many(count: usize, inputs: &mut Inputs, one: fn(&mut Inputs) -> Self) -> Vec<Self> {
+        let mut all: Vec<Self> = (0..count).map(|_| one(inputs)).collect();
+        all.sort_by(|p, q| p.largest().total_cmp(&q.largest()));
+        all
+    }
+
+    fn largest(&self) -> f64 {
+        [self.min, self.max, self.a, self.b]
+            .into_iter()
+            .fold(0.0, |most: f64, p| most.max(p.abs().max_element()))
+    }
+
     /// A segment that crosses the window, ends in it or stays in it; all coordinates are whole quarters.
     ///
     /// What lies inside is drawn first: two points, each on a side, off the corners, or in the window. From a side
@@ -234,9 +247,7 @@ impl WindowCase {
     /// What rounding may do to a coordinate: that of a share t, and of a second cut that takes the first one's error
     /// along a line that rises 20 times as fast. Along an axis the other coordinate stays.
     fn slack(&self) -> DVec2 {
-        let largest = [self.min, self.max, self.a, self.b]
-            .into_iter()
-            .fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
+        let largest = self.largest();
         let axis = |i: usize| {
             if self.a[i] == self.b[i] {
                 4.0 * f64::EPSILON * self.a[i].abs()
@@ -249,6 +260,20 @@ impl WindowCase {
 
     fn is_near(&self, p: DVec2, q: DVec2) -> bool {
         p == q || (p - q).abs().cmple(self.slack()).all()
+    }
+
+    /// A point in six digits, and in full where they would put it on a side.
+    fn point(&self, p: DVec2) -> String {
+        let coordinate = |i: usize| {
+            let text = short(p[i]);
+            let hidden = [self.min, self.max].map(|side| p[i] != side[i] && text == short(side[i]));
+            if hidden.contains(&true) {
+                show_number(p[i])
+            } else {
+                text
+            }
+        };
+        format!("({}, {})", coordinate(0), coordinate(1))
     }
 
     /// On which sides, or the lines that go on from them, a point lies.
@@ -505,6 +530,9 @@ impl WindowCase {
             plain.check(clip(&plain));
             let got = clip(&fine);
             let _picture = fine.picture(got);
+            if fine.inside.is_some() && got.is_some_and(|(p, _)| p != fine.a) {
+                fine.assert_right(got);
+            }
             let is = fine
                 .inside
                 .map_or("the segment lies outside", |_| "a lies outside");
@@ -616,7 +644,8 @@ impl WindowCase {
 
 impl fmt::Display for WindowCase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [min, max, a, b] = [self.min, self.max, self.a, self.b].map(short_point);
+        let [min, max] = [self.min, self.max].map(short_point);
+        let [a, b] = [self.a, self.b].map(|p| self.point(p));
         write!(f, "window {min} to {max}, segment {a} to {b}")
     }
 }

@@ -133,8 +133,8 @@ mod clip3_direct {
     #[test]
     fn any_segment() {
         let mut inputs = Inputs::new(34);
-        let all: Vec<(WindowCase, Ends)> = (0..400)
-            .map(|_| WindowCase::crossing(&mut inputs))
+        let all: Vec<(WindowCase, Ends)> = WindowCase::many(400, &mut inputs, WindowCase::crossing)
+            .into_iter()
             .map(|case| (case, got(&case)))
             .collect();
         WindowCase::assert_no_pattern(&all);
@@ -146,8 +146,7 @@ mod clip3_direct {
     #[test]
     fn nothing_inside() {
         let mut inputs = Inputs::new(35);
-        for _ in 0..400 {
-            let case = WindowCase::passing(&mut inputs);
+        for case in WindowCase::many(400, &mut inputs, WindowCase::passing) {
             case.check(got(&case));
         }
     }
@@ -162,8 +161,7 @@ mod clip3_direct {
         known((-1e15, 5.0), (1e15, 5.0), Some([(0.0, 5.0), (10.0, 5.0)]));
         known((5.0, 1e15), (5.0, -1e15), Some([(5.0, 10.0), (5.0, 0.0)]));
         let mut inputs = Inputs::new(36);
-        for _ in 0..400 {
-            let case = WindowCase::rounded(&mut inputs);
+        for case in WindowCase::many(400, &mut inputs, WindowCase::rounded) {
             case.check(got(&case));
         }
     }

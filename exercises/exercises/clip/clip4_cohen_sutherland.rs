@@ -165,7 +165,7 @@ mod clip4_cohen_sutherland {
         assert!(
             !outside,
             "{case}: a round with {} to {} had the {codes}: AND is not 0000, so nothing is inside, yet the loop goes on: \
-             test AND in every round, not only before the first cut (erratum E22)",
+             work out the codes and test AND in every round, not only before the first cut (erratum E22)",
             short_point(p),
             short_point(q),
         );
@@ -178,8 +178,8 @@ mod clip4_cohen_sutherland {
             return;
         };
         assert!(
-            !a.is_nan() && !b.is_nan(),
-            "{case}: {codes}: the next round has {} to {}, not a number: does the cut divide by y_b − y_a at the upper and \
+            a.is_finite() && b.is_finite(),
+            "{case}: {codes}: the next round has {} to {}, no points of the plane: does the cut divide by y_b − y_a at the upper and \
              the lower side, by x_b − x_a at the right and the left one?",
             short_point(a),
             short_point(b),
@@ -207,17 +207,17 @@ mod clip4_cohen_sutherland {
             new.x == case.min.x,
         ];
         let replaced = if a == p { code_q } else { code_p };
-        // The end with the bit of the side it was cut at.
         let cut_at = (0..4).filter(differ).find(|&i| on[i]);
         assert!(
-            cut_at.is_none_or(|side| replaced[side]),
-            "{case}: {codes}: {} became {}, but its bit is 0: the end whose bit is 1 lies outside and is replaced, and the \
-             other one kept",
+            !on[first] || replaced[first],
+            "{case}: {codes}: {} became {} on the {} side, but its bit is 0 there: the end whose bit is 1 lies outside and \
+             is replaced, and the other one kept",
             short_point(old),
             short_point(new),
+            SIDES[first],
         );
         assert!(
-            on[first] || cut_at.is_none(),
+            on[first] || !cut_at.is_some_and(|side| replaced[side]),
             "{case}: {codes}: cut at the {} side, of the first bit from the left in which they differ; {} is on another \
              one",
             SIDES[first],
@@ -287,12 +287,10 @@ mod clip4_cohen_sutherland {
     #[test]
     fn any_segment() {
         let mut inputs = Inputs::new(37);
-        for _ in 0..400 {
-            let case = WindowCase::crossing(&mut inputs);
+        for case in WindowCase::many(400, &mut inputs, WindowCase::crossing) {
             case.check(run(&case).0);
         }
-        for _ in 0..100 {
-            let case = WindowCase::rounded(&mut inputs);
+        for case in WindowCase::many(100, &mut inputs, WindowCase::rounded) {
             case.check(run(&case).0);
         }
     }
@@ -300,8 +298,7 @@ mod clip4_cohen_sutherland {
     #[test]
     fn nothing_inside() {
         let mut inputs = Inputs::new(38);
-        for _ in 0..400 {
-            let case = WindowCase::passing(&mut inputs);
+        for case in WindowCase::many(400, &mut inputs, WindowCase::passing) {
             case.check(run(&case).0);
         }
     }

@@ -96,6 +96,14 @@ fn put(line: DVec3, (a, b): (DVec2, DVec2)) -> (Option<DVec2>, Option<DVec2>) {
     (crossing, (side_b >= 0.0).then_some(b))
 }
 
+fn twice(p: DVec2, got: &[DVec2]) -> String {
+    format!(
+        "{} is put twice in {}: each edge puts its end B alone, and a vertex on the line is its own crossing",
+        short_point(p),
+        show_list(got)
+    )
+}
+
 impl PolygonCase {
     /// A polygon against the line `(a, b, c)`.
     #[must_use]
@@ -209,8 +217,16 @@ impl PolygonCase {
     pub fn check(&self, clip: &dyn Fn(&[DVec2]) -> Vec<DVec2>) {
         let got = clip(&self.polygon);
         let _picture = self.picture(&got);
+        if !self.is_right(&got) {
+            assert!(
+                !self.forgets_an_edge(&got, clip),
+                "{self}: got {}, and what is right when the first vertex stands at the end of the list again: the edge from \
+                 the last vertex to the first belongs to the polygon",
+                show_list(&got)
+            );
+        }
         let wrong = match (self.window, &self.lines[..]) {
-            (None, &[line]) => self.wrong_at(line, &got, clip),
+            (None, &[line]) => self.wrong_at(line, &got),
             (window, _) => window.and_then(|(min, max)| self.wrong_in(min, max, &got)),
         };
         if let Some(wrong) = wrong {
@@ -218,13 +234,104 @@ impl PolygonCase {
         }
     }
 
+    /// Fails unless the decisions are made at the line itself: a hair beyond it as well as far beyond it, at any scale.
+    ///
+    /// # Panics
+    ///
+    /// When they are not.
+    #[track_caller]
+    pub fn check_hairs(
+        clip: fn(&[DVec2], DVec3) -> Vec<DVec2>,
+        in_window: impl Fn(DVec2, DVec2, &[DVec2]) -> Vec<DVec2>,
+    ) {
+        for scale in [1.0, 2f64.powi(-20), 2f64.powi(20)] {
+            for hair in [1e-3, 1e-6, 1e-9] {
+                for (side, name) in SIDES.into_iter().enumerate() {
+                    for fine in [false, true] {
+                        let by = if fine { hair } else { 0.3 };
+                        let window = (DVec2::splat(scale), DVec2::splat(11.0 * scale));
+                        // The border of a window 1…11, and the three vertices of a thin triangle beyond it.
+                        let border = if side % 2 == 0 { 11.0 } else { 1.0 };
+                        let out = if side % 2 == 0 { 1.0 } else { -1.0 };
+                        let place = |along: f64, beyond: f64| {
+                            let across = border + out * beyond;
+                            let p = if side < 2 {
+                                DVec2::new(along, across)
+                            } else {
+                                DVec2::new(across, along)
+                            };
+                            scale * p
+                        };
+                        let polygon = [place(3.0, by), place(6.0, 2.0 * by), place(9.0, by)];
+                        let along = if side < 2 { DVec2::Y } else { DVec2::X };
+                        let line = (-out * along).extend(out * border * scale);
+                        let cases = [
+                            (Self::against(&polygon, line), clip(&polygon, line)),
+                            (
+                                Self::in_window(&polygon, window.0, window.1),
+                                in_window(window.0, window.1, &polygon),
+                            ),
+                        ];
+                        for (case, got) in cases {
+                            let _picture = case.picture(&got);
+                            assert!(
+                                fine || got.is_empty(),
+                                "{case}: the polygon lies outside, beyond the line of the {name} side, but got {}",
+                                show_list(&got)
+                            );
+                            assert!(
+                                got.is_empty(),
+                                "{case}: every vertex lies outside, by {} beyond the {name} side and more, but got {}; three \
+                                 tenths beyond, nothing is kept: compare s with 0 itself, without a tolerance",
+                                short(by * scale),
+                                show_list(&got)
+                            );
+                        }
+                    }
+                }
+            }
+        }
+        // The next number below 1; nothing is rounded.
+        let x = 1.0_f64.next_down();
+        let line = DVec3::new(1.0, 0.0, -1.0);
+        let polygon = [(x, 1.0), (x, 2.0), (x, 3.0), (-1.0, 2.0)].map(DVec2::from);
+        let got = clip(&polygon, line);
+        assert!(
+            got.is_empty(),
+            "vertices with x = {x} and smaller against x − 1 ≥ 0: all lie outside, but got {}: compare s with 0 itself, \
+             without a tolerance",
+            show_list(&got)
+        );
+    }
+
+    /// Whether the answer is right once the edge from the last vertex to the first is made one of the others, wherever
+    /// the list begins.
+    fn forgets_an_edge(&self, got: &[DVec2], clip: &dyn Fn(&[DVec2]) -> Vec<DVec2>) -> bool {
+        let without = |points: &[DVec2], twice: Option<DVec2>| {
+            let mut points = points.to_vec();
+            points.dedup_by(|p, q| p == q && twice.is_none_or(|twice| *p == twice));
+            while points.len() > 1
+                && points.first() == points.last()
+                && twice.is_none_or(|twice| points[0] == twice)
+            {
+                points.pop();
+            }
+            points
+        };
+        if self.polygon.len() < 3 || self.is_right(&without(got, None)) {
+            return false;
+        }
+        (0..self.polygon.len()).all(|start| {
+            let mut closed = self.polygon.clone();
+            closed.rotate_left(start);
+            closed.push(closed[0]);
+            let kept = without(&clip(&closed), Some(closed[0]));
+            kept.len() >= 3 && self.is_right(&kept)
+        })
+    }
+
     /// Against one line the vertices and their order are certain.
-    fn wrong_at(
-        &self,
-        line: DVec3,
-        got: &[DVec2],
-        clip: &dyn Fn(&[DVec2]) -> Vec<DVec2>,
-    ) -> Option<String> {
+    fn wrong_at(&self, line: DVec3, got: &[DVec2]) -> Option<String> {
         let want = self.want();
         if self.is_same(got, &want) && !got.iter().any(|p| p.is_nan()) {
             return None;
@@ -290,24 +397,18 @@ impl PolygonCase {
             ));
         }
         // What is not there.
-        for (i, &((a, b), (crossing, vertex))) in puts.iter().enumerate() {
+        for &((a, b), (crossing, vertex)) in &puts {
             let missing = [(crossing, "the crossing"), (vertex, "B")];
             for (p, name) in missing {
                 let Some(p) = p.filter(|&p| !has(got, p)) else {
                     continue;
                 };
                 let p_shown = short_point(p);
-                if i + 1 == puts.len() {
-                    let mut other = self.polygon.clone();
-                    other.rotate_right(1);
-                    if has(&clip(&other), p) {
-                        return Some(format!(
-                            "{p_shown} is missing, but put when the list begins at another vertex: the edge from the last \
-                             vertex to the first belongs to the polygon"
-                        ));
-                    }
-                }
-                let place = |p| if s(p) >= 0.0 { "inside" } else { "outside" };
+                let place = |p| match s(p) {
+                    s if s > 0.0 => "inside",
+                    0.0 => "on the line, so inside",
+                    _ => "outside",
+                };
                 return Some(format!(
                     "A = {} is {}, B = {} is {}: put {name}, {p_shown}, which is missing",
                     short_point(a),
@@ -315,6 +416,12 @@ impl PolygonCase {
                     short_point(b),
                     place(b),
                 ));
+            }
+        }
+        for &p in got {
+            let times = |points: &[DVec2]| points.iter().filter(|&&q| self.is_near(p, q)).count();
+            if times(got) > times(&want) {
+                return Some(twice(p, got));
             }
         }
         for &(_, (crossing, vertex)) in &puts {
@@ -357,7 +464,7 @@ impl PolygonCase {
             ];
             if let Some(side) = beyond.into_iter().position(|beyond| beyond) {
                 return Some(format!(
-                    "{} is put, but it lies beyond the {} side: clip against all four",
+                    "{} is put, but it lies beyond the {} side",
                     short_point(p),
                     SIDES[side]
                 ));
@@ -418,27 +525,63 @@ impl PolygonCase {
                 short_point(*p)
             ));
         }
-        let given = &self.polygon;
-        let twice = |p: &DVec2| edges(given).any(|(a, b)| a == b && a == *p);
-        let is_twice = edges(got).find(|(p, q)| got.len() > 1 && p == q && !twice(p));
+        let repeats = |points: &[DVec2]| edges(points).find(|(p, q)| p == q);
         let all = want
             .iter()
             .all(|&p| got.iter().any(|&q| self.is_near(p, q)));
-        if let Some((p, _)) = is_twice.filter(|_| all) {
-            return Some(format!(
-                "{} is put twice in {}: each edge puts its end B alone, and a vertex on the line is its own crossing",
-                short_point(p),
-                show_list(got)
-            ));
+        // Pieces and spikes of a window may meet themselves.
+        let simple = self.window.is_none()
+            || (self.polygon.len() == 3 && area(want).abs() > 1e-9 * self.largest().powi(2));
+        if let (Some((p, _)), None, true) =
+            (repeats(got), repeats(want), simple && all && got.len() > 1)
+        {
+            return Some(twice(p, got));
         }
         let turned: Vec<_> = got.iter().rev().copied().collect();
         if !self.is_same(got, want) && self.is_same(&turned, want) {
-            return Some(format!(
-                "got {}: the right vertices the other way round; they keep their order",
-                show_list(got)
-            ));
+            let why = match want.len() {
+                3 => {
+                    "in the other order; vertices keep theirs, and where an edge comes in, the crossing is put before B"
+                }
+                _ => "the other way round; they keep their order",
+            };
+            return Some(format!("got {}: the right vertices {why}", show_list(got)));
         }
         None
+    }
+
+    fn is_right(&self, got: &[DVec2]) -> bool {
+        match (self.window, &self.lines[..]) {
+            (None, &[line]) => self.wrong_at(line, got).is_none(),
+            (window, _) => window.is_none_or(|(min, max)| self.wrong_in(min, max, got).is_none()),
+        }
+    }
+
+    /// Fails if the answers are right where a side cuts nothing off, and wrong wherever it does.
+    ///
+    /// # Panics
+    ///
+    /// When that is so of one of the sides.
+    #[track_caller]
+    pub fn assert_no_pattern(all: &[(Self, Vec<DVec2>)]) {
+        for (side, name) in SIDES.into_iter().enumerate() {
+            let cuts = |case: &Self| {
+                let (min, max) = case.window.unwrap_or_default();
+                let beyond = |p: &DVec2| [p.y > max.y, p.y < min.y, p.x > max.x, p.x < min.x][side];
+                !case.want().is_empty() && case.polygon.iter().any(beyond)
+            };
+            let of = |yes| all.iter().filter(move |(case, _)| cuts(case) == yes);
+            let wrong = of(true).filter(|(case, got)| !case.is_right(got)).count();
+            let rest = of(false).filter(|(case, _)| !case.want().is_empty());
+            assert!(
+                wrong == 0
+                    || 2 * wrong < of(true).count()
+                    || !rest.clone().all(|(case, got)| case.is_right(got)),
+                "right wherever the polygon does not go beyond the {name} side, wrong in {wrong} of {} windows where it \
+                 does: clip against all four",
+                of(true).count()
+            );
+        }
     }
 }
 
