@@ -310,17 +310,22 @@ impl WindowCase {
     /// What the student kept, beside what is right.
     #[track_caller]
     pub fn picture(&self, got: Option<Ends>) -> Picture {
+        let is_end = |p: DVec2| {
+            self.inside
+                .is_some_and(|(q, r)| self.is_near(p, q) || self.is_near(p, r))
+        };
         let panel = |kept: Option<Ends>, ink| {
             let mut panel = Panel::plane();
             panel.window(self.min, self.max);
             panel.segment(self.a, self.b, Ink::Faint);
-            if let Some((p, q)) = kept {
-                panel.segment(p, q, ink);
-                panel.point(p, "", ink);
-                panel.point(q, "", ink);
-            }
             panel.point(self.a, "a", Ink::Ideal);
             panel.point(self.b, "b", Ink::Ideal);
+            if let Some((p, q)) = kept {
+                panel.segment(p, q, ink);
+                for p in [p, q] {
+                    panel.point(p, "", if is_end(p) { Ink::Right } else { Ink::Extra });
+                }
+            }
             panel
         };
         let ink = if self.is_right(got) {
@@ -328,7 +333,13 @@ impl WindowCase {
         } else {
             Ink::Extra
         };
-        Picture::beside(panel(got, ink), panel(self.inside, Ink::Right))
+        let mut yours = panel(got, ink);
+        for p in self.inside.into_iter().flat_map(|(p, q)| [p, q]) {
+            if got.is_none_or(|(q, r)| !self.is_near(p, q) && !self.is_near(p, r)) {
+                yours.point(p, "?", Ink::Missing);
+            }
+        }
+        Picture::beside(yours, panel(self.inside, Ink::Right))
     }
 
     /// Fails unless `got` is what lies inside, and leaves a picture.

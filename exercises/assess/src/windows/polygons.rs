@@ -166,12 +166,18 @@ impl PolygonCase {
     /// What the student kept, beside what is right.
     #[track_caller]
     pub fn picture(&self, got: &[DVec2]) -> Picture {
+        let want = self.want();
+        let has = |points: &[DVec2], p| points.iter().any(|&q| self.is_near(p, q));
         let panel = |kept: &[DVec2], ink| {
             let mut panel = Panel::plane();
             panel.polygon(&self.polygon, Ink::Faint);
             panel.polygon(kept, ink);
             for &p in kept {
-                panel.point(p, "", ink);
+                let is_right = has(&want, p);
+                panel.point(p, "", if is_right { Ink::Right } else { Ink::Extra });
+            }
+            for &p in want.iter().filter(|&&p| !has(kept, p)) {
+                panel.point(p, "?", Ink::Missing);
             }
             match self.window {
                 Some((min, max)) => panel.window(min, max),
@@ -179,10 +185,10 @@ impl PolygonCase {
             }
             panel
         };
-        let want = self.want();
-        let ink = match self.is_same(got, &want) {
-            true => Ink::Right,
-            false => Ink::Extra,
+        let ink = if self.is_same(got, &want) {
+            Ink::Right
+        } else {
+            Ink::Extra
         };
         Picture::beside(panel(got, ink), panel(&want, Ink::Right))
     }
