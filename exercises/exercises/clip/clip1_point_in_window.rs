@@ -31,7 +31,7 @@ fn main() {}
 #[cfg(test)]
 mod clip1_point_in_window {
     use super::{Window, contains};
-    use assess::{Inputs, SIDES, point_beside, short_point};
+    use assess::{Inputs, SIDES, point_beside, short_point, show_point};
     use glam::DVec2;
 
     /// The inequality that keeps a point within each side.
@@ -46,7 +46,7 @@ mod clip1_point_in_window {
         assert!(
             got == want,
             "{}, window {} to {}: expected {want}, got {got}: {why}",
-            short_point(p),
+            show_point(p),
             short_point(window.min),
             short_point(window.max),
         );
@@ -67,14 +67,6 @@ mod clip1_point_in_window {
         let corner_in = corners.map(|p| contains(window, p));
         let outside = || beyond_in.into_iter().chain(corner_in);
         assert!(
-            is_in || outside().any(|is_in| is_in),
-            "false for every point, inside and outside"
-        );
-        assert!(
-            !is_in || outside().any(|is_in| !is_in),
-            "true for every point, inside and outside: each of the four inequalities must hold, `&&`"
-        );
-        assert!(
             is_in || !outside().all(|is_in| is_in),
             "false inside, true outside: the other way round"
         );
@@ -82,6 +74,31 @@ mod clip1_point_in_window {
         assert!(
             is_in || !contains(window, DVec2::new(inside.y, inside.x)),
             "(3, 8), window (1, 2) to (4, 9), is outside for you, and (8, 3) inside: x and y are exchanged"
+        );
+        for (name, bounds, exchanged) in [
+            ("x", "x_min and x_max", DVec2::X),
+            ("y", "y_min and y_max", DVec2::Y),
+            ("x and y", "min and max", DVec2::ONE),
+        ] {
+            let by = exchanged * (window.max - window.min);
+            let turned = Window {
+                min: window.min + by,
+                max: window.max - by,
+            };
+            assert!(
+                is_in || !contains(turned, inside),
+                "(3, 8) is outside the window (1, 2) to (4, 9) for you, and inside when {bounds} are exchanged: which \
+                 is the smaller {name}?"
+            );
+        }
+        assert!(
+            is_in || outside().any(|is_in| is_in),
+            "false for a point inside the window, and for eight points around it"
+        );
+        assert!(
+            !is_in || outside().any(|is_in| !is_in),
+            "true for a point inside the window, and for eight points around it: each of the four inequalities must hold, \
+             `&&`"
         );
         check(window, inside, true, "it lies between all four sides");
         assert!(
@@ -137,34 +154,56 @@ mod clip1_point_in_window {
     #[test]
     fn known_points() {
         plain();
-        for (x, y, want) in [
-            (5.0, 5.0, true),
-            (12.0, 12.0, false),
-            (5.0, -0.5, false),
-            (0.0, 10.0, true),
-            (10.0, 10.0, true),
-            (10.000001, 5.0, false),
+        for (x, y, want, why) in [
+            (5.0, 5.0, true, "the middle"),
+            (12.0, 12.0, false, "x > x_max and y > y_max"),
+            (5.0, -0.5, false, "y < y_min"),
+            (
+                0.0,
+                10.0,
+                true,
+                "x = x_min and y = y_max, and the border is inside",
+            ),
+            (
+                10.0,
+                10.0,
+                true,
+                "x = x_max and y = y_max, and the border is inside",
+            ),
+            (10.000001, 5.0, false, "x > x_max"),
         ] {
-            let p = DVec2::new(x, y);
-            let got = contains(slide(), p);
-            let name = |is_in| if is_in { "inside" } else { "outside" };
-            let _picture = point_beside(DVec2::ZERO, DVec2::splat(10.0), p, name(got), name(want));
-            assert!(
-                got == want,
-                "({x}, {y}) in the window 0…10: expected {want}, got {got}"
-            );
+            check(slide(), DVec2::new(x, y), want, why);
         }
+    }
+
+    /// Windows of which the plain cases are right.
+    #[track_caller]
+    fn windows(seed: u64) -> Vec<Window> {
+        plain();
+        let mut inputs = Inputs::new(seed);
+        let any = (0..50).map(|_| any(&mut inputs));
+        let windows: Vec<Window> = [slide()].into_iter().chain(any).collect();
+        let mut inputs = Inputs::new(seed + 1);
+        for &window in &windows {
+            let middle = (window.min + window.max) / 2.0;
+            check(window, middle, true, "it is the middle of the window");
+            for (side, name) in SIDES.into_iter().enumerate() {
+                let (_, beyond) = on_side(&mut inputs, window, side);
+                let (why_in, why_out) = (
+                    format!("it lies 0.1 within the {name} side"),
+                    format!("it lies 0.1 beyond the {name} side"),
+                );
+                check(window, beyond(-0.1), true, &why_in);
+                check(window, beyond(0.1), false, &why_out);
+            }
+        }
+        windows
     }
 
     #[test]
     fn on_the_border() {
-        plain();
         let mut inputs = Inputs::new(31);
-        for window in [slide()]
-            .into_iter()
-            .chain((0..50).map(|_| any(&mut inputs)))
-        {
-            let mut inputs = Inputs::new(32);
+        for window in windows(31) {
             for (side, name) in SIDES.into_iter().enumerate() {
                 let (p, _) = on_side(&mut inputs, window, side);
                 check(
@@ -189,17 +228,10 @@ mod clip1_point_in_window {
 
     #[test]
     fn beyond_each_side() {
-        plain();
         let mut inputs = Inputs::new(33);
-        for window in [slide()]
-            .into_iter()
-            .chain((0..50).map(|_| any(&mut inputs)))
-        {
-            let mut inputs = Inputs::new(34);
+        for window in windows(33) {
             for (side, name) in SIDES.into_iter().enumerate() {
                 let (on, beyond) = on_side(&mut inputs, window, side);
-                let why = format!("it lies 7 beyond the {name} side");
-                check(window, beyond(7.0), false, &why);
                 for by in [1e-3, 1e-6, 1e-9] {
                     check(
                         window,
@@ -252,12 +284,12 @@ mod clip1_point_in_window {
             max: DVec2::splat(inf),
         };
         for p in [(inf, 5.0), (5.0, -inf), (f64::MAX, -f64::MAX)].map(DVec2::from) {
-            check(window, p, false, "far away is outside");
+            check(window, p, false, "it is beyond the window, however far");
             check(
                 everywhere,
                 p,
                 true,
-                "everything but NaN lies in the window −∞…∞",
+                "everything but NaN lies in the window −∞…∞, its border included",
             );
         }
     }

@@ -59,7 +59,7 @@ fn main() {}
 #[cfg(test)]
 mod clip2_outcodes {
     use super::{Verdict, Window, outcode, verdict};
-    use assess::{Inputs, SIDES, point_beside, short_point};
+    use assess::{Inputs, SIDES, point_beside, short_point, show_point};
     use glam::DVec2;
 
     /// The nine regions as the slide shows them, y up.
@@ -80,7 +80,7 @@ mod clip2_outcodes {
         assert!(
             got == want,
             "{}, window {} to {}: expected {right}, got {yours}{why}",
-            short_point(p),
+            show_point(p),
             short_point(window.min),
             short_point(window.max),
         );
@@ -97,15 +97,30 @@ mod clip2_outcodes {
     #[track_caller]
     fn plain() {
         let window = slide();
-        let rows = [15.0, 5.0, -5.0].into_iter().zip(REGIONS);
-        let all: Vec<(u8, u8)> = rows
-            .flat_map(|(y, row)| {
-                [-5.0, 5.0, 15.0]
-                    .into_iter()
-                    .zip(row)
-                    .map(move |(x, want)| (outcode(window, DVec2::new(x, y)), want))
+        let codes = |window: Window| -> Vec<(u8, u8)> {
+            let rows = [15.0, 5.0, -5.0].into_iter().zip(REGIONS);
+            rows.flat_map(|(y, row)| {
+                let columns = [-5.0, 5.0, 15.0].into_iter().zip(row);
+                columns.map(move |(x, want)| (outcode(window, DVec2::new(x, y)), want))
             })
-            .collect();
+            .collect()
+        };
+        let all = codes(window);
+        if let Some((got, want)) = all.iter().find(|(got, _)| *got > 0b1111) {
+            panic!(
+                "the window 0…10 has a region with the code {want:04b}, got {got:b}, more than four binary digits: the \
+                 slide's 1000 is 0b1000 in Rust"
+            );
+        }
+        let turned = Window {
+            min: window.max,
+            max: window.min,
+        };
+        assert!(
+            all.iter().all(|(got, want)| got == want)
+                || codes(turned).iter().any(|(got, want)| got != want),
+            "the nine codes are right when min and max are exchanged: above is y > y_max, below y < y_min"
+        );
         let is = |other: fn(u8) -> u8| all.iter().all(|&(got, want)| got == other(want));
         assert!(
             !is(|_| 0),
@@ -202,6 +217,9 @@ mod clip2_outcodes {
             min: DVec2::new(-3.0, 2.0),
             max: DVec2::new(4.0, 7.0),
         };
+        for p in [(0.0, 6.5), (0.0, 2.5), (3.5, 3.0), (-2.5, 3.0)].map(DVec2::from) {
+            check(window, p, 0, ": it lies within all four sides");
+        }
         for p in [
             (1.0, 7.0),
             (0.0, 2.0),
@@ -243,6 +261,7 @@ mod clip2_outcodes {
                     }
                 };
                 let bit = 0b1000 >> i;
+                check(window, place(border - out * 0.3 * scale), 0, "");
                 check(window, place(border + out * 0.3 * scale), bit, "");
                 check(window, place(border), 0, ": it is on the border, so inside");
                 for hair in [1e-3, 1e-6, 1e-9] {
@@ -306,10 +325,10 @@ mod clip2_outcodes {
                 (Verdict::Outside, Verdict::Inside) => "OR is not 0000, and AND is not 0000 either",
                 (Verdict::Outside, _) => "both ends lie beyond one side, AND ≠ 0000",
                 (Verdict::Cut, Verdict::Outside) => {
-                    "no side has both ends beyond it: outside is AND ≠ 0000, not OR ≠ 0000"
+                    "no side has both ends beyond it, AND = 0000, so it is not outside"
                 }
                 (Verdict::Cut, _) => {
-                    "one end at least lies outside: inside is OR = 0000, not AND = 0000"
+                    "one end at least lies outside, so it is not inside: that is OR = 0000"
                 }
             };
             assert!(
