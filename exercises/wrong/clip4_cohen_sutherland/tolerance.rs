@@ -1,4 +1,4 @@
-// rejected by a_hair_outside: cut, and begin the next round
+// rejected by a_hair_outside: ask the codes, without a tolerance
 use glam::DVec2;
 
 /// A window, its border included.

@@ -1,4 +1,4 @@
-// rejected by known_triangle: is in the polygon and in the window, but not in the answer
+// rejected by known_triangle: the vertices inside and nothing else
 use glam::{DVec2, DVec3};
 
 /// A window, its border included.
