@@ -44,12 +44,7 @@ pub fn point_beside(min: DVec2, max: DVec2, p: DVec2, yours: &str, right: &str) 
         panel.point(p, name, ink);
         panel
     };
-    let ink = if yours == right {
-        Ink::Right
-    } else {
-        Ink::Extra
-    };
-    Picture::beside(panel(yours, ink), panel(right, Ink::Right))
+    Picture::beside(panel(yours, Ink::Ideal), panel(right, Ink::Right))
 }
 
 thread_local! {
@@ -321,7 +316,9 @@ impl WindowCase {
             panel.point(self.a, "a", Ink::Ideal);
             panel.point(self.b, "b", Ink::Ideal);
             if let Some((p, q)) = kept {
-                panel.segment(p, q, ink);
+                if p != q {
+                    panel.segment(p, q, ink);
+                }
                 for p in [p, q] {
                     panel.point(p, "", if is_end(p) { Ink::Right } else { Ink::Extra });
                 }
@@ -679,6 +676,98 @@ mod tests {
             b: DVec2::new(15.0, 5.0),
             inside: Some((DVec2::new(0.0, 5.0), DVec2::new(10.0, 5.0))),
         }
+    }
+
+    #[test]
+    fn points_stay_short() {
+        assert_eq!(short_point(DVec2::new(1.0 / 3.0, -20.0)), "(0.333333, -20)");
+        // In full where the window's side would be read otherwise.
+        let case = WindowCase {
+            a: DVec2::new(5.0, 10.00000001),
+            ..slide()
+        };
+        let told = "window (0, 0) to (10, 10), segment (5, 10.00000001) to (15, 5)";
+        assert_eq!(case.to_string(), told);
+    }
+
+    #[test]
+    #[should_panic(expected = "the loop still runs")]
+    fn a_loop_that_asks_for_codes_is_stopped() {
+        codes_within(3, || {
+            loop {
+                code_asked();
+            }
+        });
+    }
+
+    #[test]
+    fn codes_are_counted_only_within() {
+        codes_within(2, || [(); 2].map(|()| code_asked()));
+        for _ in 0..9 {
+            code_asked();
+        }
+    }
+
+    #[test]
+    fn hairs_are_what_they_say() {
+        let hairs = WindowCase::hairs();
+        assert!(hairs.len() > 100);
+        for (plain, fine, by) in hairs {
+            for case in [plain, fine] {
+                let contains = |p: DVec2| p.cmpge(case.min).all() && p.cmple(case.max).all();
+                assert!(!contains(case.a), "{case}: {by}");
+                if let Some((p, q)) = case.inside {
+                    assert!(contains(p) && contains(q), "{case}: {by}");
+                    continue;
+                }
+                assert!(!contains(case.b), "{case}: {by}");
+                // The corner's line of a diagonal, x + y = const, leaves the window on one side.
+                let d = case.b - case.a;
+                let sides = [
+                    case.min,
+                    case.max,
+                    DVec2::new(case.min.x, case.max.y),
+                    DVec2::new(case.max.x, case.min.y),
+                ]
+                .map(|corner| d.perp_dot(corner - case.a) > 0.0);
+                let beyond =
+                    case.a.min(case.b).cmpgt(case.max) | case.a.max(case.b).cmplt(case.min);
+                assert!(beyond.any() || sides == [sides[0]; 4], "{case}: {by}");
+            }
+        }
+    }
+
+    #[test]
+    fn rounded_cases_are_right_up_to_rounding() {
+        let mut inputs = Inputs::new(2);
+        for case in WindowCase::many(200, &mut inputs, WindowCase::rounded) {
+            let (p, q) = case.inside.unwrap();
+            for p in [p, q] {
+                let slack = DVec2::splat(1e-13);
+                assert!(
+                    p.cmpge(case.min - slack).all() && p.cmple(case.max + slack).all(),
+                    "{case}"
+                );
+                assert!(
+                    (case.b - case.a).perp_dot(p - case.a).abs() < 1e-10,
+                    "{case}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    #[should_panic(
+        expected = "the start (0, 12) of the answer does not lie on the line through a and b"
+    )]
+    fn an_end_off_the_line_is_named() {
+        slide().assert_right(Some((DVec2::new(0.0, 12.0), DVec2::new(10.0, 5.0))));
+    }
+
+    #[test]
+    #[should_panic(expected = "beside the left side by a rounding")]
+    fn a_rounded_side_is_named() {
+        slide().assert_right(Some((DVec2::new(1e-15, 5.0), DVec2::new(10.0, 5.0))));
     }
 
     #[test]

@@ -615,3 +615,91 @@ impl fmt::Display for PolygonCase {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangle() -> Vec<DVec2> {
+        [(5.0, 5.0), (15.0, 5.0), (5.0, 15.0)]
+            .map(DVec2::from)
+            .to_vec()
+    }
+
+    fn case() -> PolygonCase {
+        PolygonCase::against(&triangle(), DVec3::new(-1.0, 0.0, 10.0))
+    }
+
+    fn told(case: &PolygonCase, got: &[(f64, f64)]) -> String {
+        let got: Vec<DVec2> = got.iter().map(|&p| p.into()).collect();
+        case.wrong_at(case.lines[0], &got).unwrap_or_default()
+    }
+
+    #[test]
+    fn what_is_right_passes_from_any_vertex_on() {
+        let want = [(10.0, 5.0), (10.0, 10.0), (5.0, 15.0), (5.0, 5.0)];
+        assert_eq!(case().want(), want.map(DVec2::from));
+        for start in 0..4 {
+            let mut got = want;
+            got.rotate_left(start);
+            assert_eq!(told(&case(), &got), "");
+        }
+        let square = PolygonCase::in_window(&triangle(), DVec2::ZERO, DVec2::splat(10.0));
+        assert!(square.is_right(&square.want()));
+        assert_eq!(area(&square.want()), 25.0);
+    }
+
+    #[test]
+    fn each_mistake_is_named() {
+        for (got, why) in [
+            (&[][..], "nothing is kept"),
+            (
+                &[(5.0, 5.0), (10.0, 5.0), (5.0, 15.0)],
+                "put the crossing, (10, 10)",
+            ),
+            (
+                &[(5.0, 5.0), (15.0, 5.0), (5.0, 15.0)],
+                "it lies outside: s = -5 < 0",
+            ),
+            (
+                &[(5.0, 15.0), (10.0, 10.0), (10.0, 5.0), (5.0, 5.0)],
+                "the other way round",
+            ),
+            (
+                &[(5.0, 5.0), (10.0, 5.0), (5.0, 15.0), (10.0, 10.0)],
+                "(5, 15) comes before (10, 10)",
+            ),
+            (
+                &[
+                    (5.0, 5.0),
+                    (5.0, 5.0),
+                    (10.0, 5.0),
+                    (10.0, 10.0),
+                    (5.0, 15.0),
+                ],
+                "put twice",
+            ),
+            (
+                &[(5.0, 5.0), (7.0, 5.0), (10.0, 10.0), (5.0, 15.0)],
+                "but not on the line",
+            ),
+            (
+                &[(15.0, 5.0), (10.0, 5.0), (10.0, 10.0)],
+                "the part with s ≤ 0",
+            ),
+        ] {
+            let told = told(&case(), got);
+            assert!(told.contains(why), "{told}");
+        }
+    }
+
+    #[test]
+    fn lines_and_lists_are_short() {
+        assert_eq!(show_line(DVec3::new(-1.0, 2.0, -3.5)), "−x + 2 y − 3.5 ≥ 0");
+        assert_eq!(show_line(DVec3::ZERO), "0 ≥ 0");
+        assert_eq!(
+            show_list(&[DVec2::X; 8]).matches("(1, 0)").count(),
+            MOST_POINTS
+        );
+    }
+}
