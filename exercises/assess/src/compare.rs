@@ -36,11 +36,12 @@ fn unit(v: DVec3) -> Option<DVec3> {
 /// When it is not, with both vectors and the largest difference.
 #[track_caller]
 pub fn near(what: &str, got: DVec3, want: DVec3, bound: f64) {
+    let both = brief_unless_equal([want, got], brief, show);
     assert!(
         is_near(got, want, bound),
         "{what}: expected {}, got {} ({})",
-        show(want),
-        show(got),
+        both[0],
+        both[1],
         difference((got - want).abs().max_element(), bound),
     );
 }
@@ -53,11 +54,12 @@ pub fn near(what: &str, got: DVec3, want: DVec3, bound: f64) {
 #[track_caller]
 pub fn near_number(what: &str, got: f64, want: f64, bound: f64) {
     let off = (got - want).abs();
+    let both = brief_unless_equal([want, got], brief_number, show_number);
     assert!(
         got == want || off <= bound,
         "{what}: expected {}, got {} ({})",
-        show_number(want),
-        show_number(got),
+        both[0],
+        both[1],
         difference(off, bound),
     );
 }
@@ -111,6 +113,30 @@ pub fn show_number(x: f64) -> String {
     } else {
         format!("{x:e}")
     }
+}
+
+/// A vector in at most six digits a coordinate, for a message whose point is not the last digit.
+#[must_use]
+pub fn brief(v: DVec3) -> String {
+    let [x, y, z] = v.to_array().map(brief_number);
+    format!("({x}, {y}, {z})")
+}
+
+/// A number in at most six digits.
+#[must_use]
+pub fn brief_number(x: f64) -> String {
+    // Six digits written and read back are the shortest form of a number that is near enough.
+    show_number(format!("{x:.5e}").parse().unwrap_or(x))
+}
+
+/// Two values with few digits, or with all where the few do not tell them apart.
+fn brief_unless_equal<T: Copy>(
+    both: [T; 2],
+    brief: fn(T) -> String,
+    full: fn(T) -> String,
+) -> [String; 2] {
+    let [a, b] = both.map(brief);
+    if a == b { both.map(full) } else { [a, b] }
 }
 
 fn difference(off: f64, bound: f64) -> String {
@@ -180,6 +206,16 @@ mod tests {
         assert_eq!(
             show(DVec3::new(0.0, f64::NAN, f64::INFINITY)),
             "(0, NaN, inf)"
+        );
+    }
+
+    #[test]
+    fn brief_numbers_have_six_digits() {
+        let v = DVec3::new(-2.0 / 3.0, 1e-150 / 3.0, 20.0 / 3.0);
+        assert_eq!(brief(v), "(-0.666667, 3.33333e-151, 6.66667)");
+        assert_eq!(
+            [0.0, -1234.0, 1e150, f64::NAN, f64::INFINITY].map(brief_number),
+            ["0", "-1234", "1e150", "NaN", "inf"]
         );
     }
 

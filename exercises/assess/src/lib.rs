@@ -9,17 +9,22 @@ mod grid;
 mod inputs;
 mod picture;
 mod segment;
+mod shadow;
 mod steps;
+mod sticks;
 mod windows;
 
 pub use compare::{
-    is_near, near, near_number, parallel, show, show_number, show_point, show_points, some,
+    brief, brief_number, is_near, near, near_number, parallel, show, show_number, show_point,
+    show_points, some,
 };
 pub use grid::Grid;
 pub use inputs::Inputs;
 pub use picture::{Ink, Panel, Picture};
 pub use segment::Segment;
-pub use steps::{Steps, calls_within, collect_within, first_calls};
+pub use shadow::{brief4, shadow_bound, shadow_plan, shadow_section};
+pub use steps::{Steps, calls_within, collect_within, counted, first_calls, within_calls};
+pub use sticks::painted_sticks;
 pub use windows::{
     PolygonCase, SIDES, WindowCase, code_asked, codes_within, point_beside, short_point,
 };

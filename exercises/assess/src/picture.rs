@@ -62,6 +62,7 @@ enum Mark {
     Pixel(DVec2),
     Segment(DVec2, DVec2),
     Arrow(DVec2, DVec2),
+    Stick(DVec2, DVec2),
     Polygon(Vec<DVec2>),
     Point(DVec2, String),
 }
@@ -70,7 +71,7 @@ impl Mark {
     fn points(&self) -> Vec<DVec2> {
         match self {
             Self::Pixel(corner) => vec![*corner, *corner + DVec2::ONE],
-            Self::Segment(a, b) | Self::Arrow(a, b) => vec![*a, *b],
+            Self::Segment(a, b) | Self::Arrow(a, b) | Self::Stick(a, b) => vec![*a, *b],
             Self::Polygon(points) => points.clone(),
             Self::Point(p, _) => vec![*p],
         }
@@ -118,6 +119,11 @@ impl Panel {
     /// An arrow from `a` to `b`.
     pub fn arrow(&mut self, a: DVec2, b: DVec2, ink: Ink) {
         self.mark(Mark::Arrow(a, b), ink);
+    }
+
+    /// A thick line from `a` to `b` with a white border, so that it covers what was painted before.
+    pub fn stick(&mut self, a: DVec2, b: DVec2, ink: Ink) {
+        self.mark(Mark::Stick(a, b), ink);
     }
 
     /// A closed outline, lightly filled where the ink has areas.
@@ -331,6 +337,15 @@ fn draw(svg: &mut String, panel: &Panel, frame: &Frame, left: f64) {
                     svg,
                     "<path d=\"M{:.1} {:.1}L{:.1} {:.1}\" fill=\"none\" {style}/>",
                     a.x, a.y, b.x, b.y
+                )
+            }
+            Mark::Stick(a, b) => {
+                let (a, b) = (at(*a), at(*b));
+                let path = format!("M{:.1} {:.1}L{:.1} {:.1}", a.x, a.y, b.x, b.y);
+                writeln!(
+                    svg,
+                    "<path d=\"{path}\" stroke=\"#ffffff\" stroke-width=\"17\" stroke-linecap=\"butt\"/>\
+                     <path d=\"{path}\" stroke=\"{line}\" stroke-width=\"9\" stroke-linecap=\"butt\"/>",
                 )
             }
             Mark::Arrow(a, b) => {

@@ -1,5 +1,6 @@
 //! Step budgets: a loop that never ends is stopped and told so.
 
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 /// A number of steps that an algorithm may take.
@@ -101,6 +102,36 @@ pub fn first_calls<T>(limit: usize, run: impl FnOnce(&mut dyn FnMut(T))) -> Resu
     }
 }
 
+thread_local! {
+    /// How often [`counted`] may be called yet, and how often it might be in all; `None` while nobody counts.
+    static CALLS: Cell<Option<(usize, usize, &'static str)>> = const { Cell::new(None) };
+}
+
+/// Called by a given function whose calls are counted: `what` is its name.
+///
+/// # Panics
+///
+/// When [`within_calls`] allows no more of them.
+#[track_caller]
+pub fn counted(what: &str) {
+    match CALLS.get() {
+        None => {}
+        Some((0, all, because)) => {
+            CALLS.set(None);
+            panic!("{what} was called {all} times and more: does a loop never end? {because}");
+        }
+        Some((left, all, because)) => CALLS.set(Some((left - 1, all, because))),
+    }
+}
+
+/// What `run` returns, if it calls [`counted`] functions at most `limit` times; `because` says why more are too many.
+pub fn within_calls<T>(limit: usize, because: &'static str, run: impl FnOnce() -> T) -> T {
+    CALLS.set(Some((limit, limit, because)));
+    let result = run();
+    CALLS.set(None);
+    result
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -140,6 +171,28 @@ mod tests {
         let _ = first_calls(9, |take: &mut dyn FnMut(u8)| {
             take(1);
             panic!("for another reason");
+        });
+    }
+
+    #[test]
+    fn counted_calls_are_allowed_up_to_their_limit() {
+        assert_eq!(
+            within_calls(2, "", || (0..2).map(|_| counted("f")).count()),
+            2
+        );
+        // Nobody counts any more.
+        (0..9).for_each(|_| counted("f"));
+    }
+
+    #[test]
+    #[should_panic(
+        expected = "f was called 3 times and more: does a loop never end? Two are enough."
+    )]
+    fn counted_calls_are_stopped() {
+        within_calls(3, "Two are enough.", || {
+            loop {
+                counted("f");
+            }
         });
     }
 

@@ -42,8 +42,8 @@ fn main() {}
 #[cfg(test)]
 mod hsr2_z_buffer {
     use super::{Buffers, Triangle, draw};
-    use assess::{Inputs, show, show_number};
-    use glam::{DVec3, IVec2, IVec3};
+    use assess::{Ink, Inputs, Panel, Picture, brief, brief_number};
+    use glam::{DVec2, DVec3, IVec2, IVec3};
 
     const WIDTH: usize = 20;
     const HEIGHT: usize = 10;
@@ -105,14 +105,73 @@ mod hsr2_z_buffer {
 
     fn name(triangles: &[Triangle]) -> String {
         let one = |t: &Triangle| {
-            let [a, b, c] = t.vertices.map(show);
+            let [a, b, c] = t.vertices.map(brief);
             format!("{} {a} {b} {c}", t.colour)
         };
-        triangles
-            .iter()
-            .map(one)
-            .collect::<Vec<_>>()
-            .join(", then ")
+        let first: Vec<String> = triangles.iter().take(4).map(one).collect();
+        let more = if triangles.len() > 4 { ", …" } else { "" };
+        format!("{}{more}", first.join(", then "))
+    }
+
+    /// The colours of a picture, a letter a pixel.
+    fn panel(colours: &[char]) -> Panel {
+        let mut panel = Panel::pixels();
+        for (pixel, &c) in colours.iter().enumerate() {
+            let (i, j) = ((pixel % WIDTH) as i32, (pixel / WIDTH) as i32);
+            match c {
+                'A'..='Z' => panel.pixel(i, j, Ink::Shade(c as usize - 'A' as usize)),
+                '.' => {}
+                _ => panel.pixel(i, j, Ink::Extra),
+            }
+        }
+        // The corners of the picture, so that both halves have one scale.
+        let all = [(0, 0), (WIDTH, 0), (WIDTH, HEIGHT), (0, HEIGHT)];
+        let corners = all.map(|(x, y)| DVec2::new(x as f64, y as f64));
+        panel.polygon(&corners, Ink::Faint);
+        panel
+    }
+
+    /// Fails unless the picture is the one that is wanted, wherever that is known.
+    #[track_caller]
+    fn compare(what: &str, got: &[char], want: &[Option<char>]) {
+        let wrong = |at: &dyn Fn(usize, usize) -> usize| {
+            let differs = |&pixel: &usize| {
+                let there = got.get(at(pixel % WIDTH, pixel / WIDTH));
+                want[pixel].is_some_and(|want| there != Some(&want))
+            };
+            let mut all = (0..want.len()).filter(differs);
+            all.next().map(|first| (first, 1 + all.count()))
+        };
+        let Some((first, count)) = wrong(&|i, j| i + j * WIDTH) else {
+            return;
+        };
+        let right: Vec<char> = want.iter().map(|c| c.unwrap_or('.')).collect();
+        let _picture = Picture::beside(panel(got), panel(&right));
+        assert!(
+            got.iter().any(|&c| c != '.'),
+            "{what}: nothing is drawn, the frame buffer holds the background alone",
+        );
+        assert!(
+            wrong(&|i, j| i + (HEIGHT - 1 - j) * WIDTH).is_some(),
+            "{what}: the picture is upside down: pixel (i, j) is element i + j · width",
+        );
+        assert!(
+            wrong(&|i, j| j + i * HEIGHT).is_some(),
+            "{what}: rows and columns are exchanged: pixel (i, j) is element i + j · width, not j + i · height",
+        );
+        let row = first / WIDTH * WIDTH..(first / WIDTH + 1) * WIDTH;
+        let line = |colours: &[char]| colours[row.clone()].iter().collect::<String>();
+        panic!(
+            "{what}: {count} of {} pixels are wrong, the first is ({}, {}): the nearest there is {}, but there is {}\n{} \
+             expected in this row\n{} got",
+            want.len(),
+            first % WIDTH,
+            first / WIDTH,
+            right[first],
+            got[first],
+            line(&right),
+            line(got),
+        );
     }
 
     fn drawn(triangles: &[Triangle], width: usize, height: usize, far: f64) -> Buffers {
@@ -137,11 +196,6 @@ mod hsr2_z_buffer {
             ([b.colour('B'), a.colour('A')], "B before A"),
         ] {
             let buffers = drawn(&scene, WIDTH, HEIGHT, FAR);
-            let rows = buffers
-                .colour
-                .chunks(WIDTH)
-                .map(|row| row.iter().collect::<String>());
-            let got = rows.collect::<Vec<_>>().join("\n");
             let want = [
                 ".A................B.",
                 ".AAAAA........BBBBB.",
@@ -154,10 +208,12 @@ mod hsr2_z_buffer {
                 ".AAAAA........BBBBB.",
                 ".A................B.",
             ]
-            .join("\n");
-            assert!(
-                got == want,
-                "two crossing triangles, {order}: expected\n{want}\ngot\n{got}",
+            .concat();
+            let want: Vec<_> = want.chars().map(Some).collect();
+            compare(
+                &format!("two crossing triangles, {order}"),
+                &buffers.colour,
+                &want,
             );
         }
     }
@@ -174,8 +230,8 @@ mod hsr2_z_buffer {
                 panic!(
                     "no triangle: the depth buffer is initialised to the far distance, {}, but holds {}: what is to be \
                      nearer than that?",
-                    show_number(far),
-                    show_number(*z),
+                    brief_number(far),
+                    brief_number(*z),
                 );
             }
         }
@@ -190,20 +246,17 @@ mod hsr2_z_buffer {
             let scene = [triangle.colour('A')];
             let Buffers { colour, depth } = drawn(&scene, WIDTH, HEIGHT, FAR);
             let what = name(&scene);
+            let all = (0..WIDTH * HEIGHT).map(|pixel| (pixel % WIDTH, pixel / WIDTH));
+            let want: Vec<_> = all
+                .map(|at| Some(if triangle.covers(at) { 'A' } else { '.' }))
+                .collect();
+            compare(&what, &colour, &want);
             for pixel in 0..WIDTH * HEIGHT {
                 let (i, j) = (pixel % WIDTH, pixel / WIDTH);
                 let (c, z) = (colour[pixel], depth[pixel]);
-                if !triangle.covers((i, j)) {
-                    assert!(
-                        c == '.',
-                        "{what}: it does not cover pixel ({i}, {j}), and there is {c:?}"
-                    );
+                if c != 'A' {
                     continue;
                 }
-                assert!(
-                    c == 'A',
-                    "{what}: it covers pixel ({i}, {j}) alone, and there is {c:?}"
-                );
                 assert!(
                     z != FAR,
                     "{what}: pixel ({i}, {j}) shows A, but the depth buffer still holds the far distance: whatever comes \
@@ -215,8 +268,10 @@ mod hsr2_z_buffer {
                 let bound = 4.0 * f64::EPSILON * 2.0 * 98.0 * 80.0 * 80.0 / 4.0;
                 assert!(
                     (z - want).abs() <= bound,
-                    "{what}: at pixel ({i}, {j}) its plane has z = {want}, the depth buffer {z}: every pixel has its own \
+                    "{what}: at pixel ({i}, {j}) its plane has z = {}, the depth buffer {}: every pixel has its own \
                      depth, that at its centre",
+                    brief_number(want),
+                    brief_number(z),
                 );
             }
         }
@@ -225,12 +280,12 @@ mod hsr2_z_buffer {
     #[test]
     fn any_scene_in_either_order() {
         let mut inputs = Inputs::new(52);
-        for count in [2, 3, 5, 8].into_iter().cycle().take(100) {
+        for count in [2, 3, 5, 8].into_iter().flat_map(|count| [count; 25]) {
             let mut triangles: Vec<_> = (0..count).map(|_| Quarters::any(&mut inputs)).collect();
             for order in ["", ", the same in the opposite order"] {
                 let scene: Vec<_> = ('A'..).zip(&triangles).map(|(c, t)| t.colour(c)).collect();
                 let Buffers { colour, .. } = drawn(&scene, WIDTH, HEIGHT, FAR);
-                for (pixel, &got) in colour.iter().enumerate() {
+                let want = |pixel: usize| {
                     let at = (pixel % WIDTH, pixel / WIDTH);
                     let nearer = |p: &Quarters, q: &Quarters| {
                         let ([n, d], [m, e]) = (p.depth(at), q.depth(at));
@@ -238,17 +293,13 @@ mod hsr2_z_buffer {
                     };
                     let here = ('A'..).zip(&triangles).filter(|(_, t)| t.covers(at));
                     let nearest = here.clone().min_by(|(_, p), (_, q)| nearer(p, q));
-                    let want = nearest.map_or('.', |(c, _)| c);
                     // Equal depths are for another test.
                     let equal = |t: &Quarters| nearest.is_some_and(|(_, n)| nearer(n, t).is_eq());
-                    if here.filter(|(_, t)| equal(t)).count() < 2 {
-                        assert!(
-                            got == want,
-                            "{}{order}: at pixel {at:?} the nearest is {want}, but there is {got}",
-                            name(&scene),
-                        );
-                    }
-                }
+                    let is_tie = here.filter(|(_, t)| equal(t)).count() > 1;
+                    (!is_tie).then(|| nearest.map_or('.', |(c, _)| c))
+                };
+                let want: Vec<_> = (0..WIDTH * HEIGHT).map(want).collect();
+                compare(&format!("{}{order}", name(&scene)), &colour, &want);
                 triangles.reverse();
             }
         }
@@ -268,9 +319,15 @@ mod hsr2_z_buffer {
             let what = name(&scene);
             for &(i, j) in &scene[0].pixels {
                 let (c, z) = (colour[i + j * WIDTH], depth[i + j * WIDTH]);
+                // Weights that add up to 1 but for a rounding are as right as the plane.
                 assert!(
-                    z == 7.0,
-                    "{what}: at pixel ({i}, {j}) the depth buffer holds {z} instead of 7"
+                    (z - 7.0).abs() <= 64.0 * f64::EPSILON * 7.0,
+                    "{what}: at pixel ({i}, {j}) the depth buffer holds {} instead of 7",
+                    brief_number(z),
+                );
+                assert!(
+                    c != '.',
+                    "{what}: at pixel ({i}, {j}) both are at z = 7, nearer than the far distance, but nothing is drawn",
                 );
                 assert!(
                     c != 'B',
@@ -281,17 +338,34 @@ mod hsr2_z_buffer {
         }
     }
 
+    /// Sides of powers of two: also weights made of areas are exact, and a level depth is that depth.
+    fn level_triangle() -> Quarters {
+        Quarters([(0, 0, 0), (64, 0, 0), (0, 32, 0)].map(IVec3::from))
+    }
+
     #[test]
     fn nearer_by_next_to_nothing() {
         let level = |z, colour| {
-            let mut triangle =
-                Quarters([(1, 1, 0), (79, 1, 0), (1, 39, 0)].map(IVec3::from)).colour(colour);
+            let mut triangle = level_triangle().colour(colour);
             for v in &mut triangle.vertices {
                 v.z = z;
             }
             triangle
         };
-        for z in [7.0, 1e-9, -1e-300] {
+        for z in [7.0_f64, 1e-9, -1e-300] {
+            // Half as far first, which is no matter of a tolerance.
+            for nearer in [z - 0.5 * z.abs(), z - 1e-3 * z.abs()] {
+                let scene = [level(z, 'A'), level(nearer, 'B')];
+                let Buffers { colour, .. } = drawn(&scene, WIDTH, HEIGHT, FAR);
+                let (i, j) = scene[0].pixels[0];
+                let got = colour[i + j * WIDTH];
+                assert!(
+                    got == 'B',
+                    "A at z = {}, then B at z = {} over it: at pixel ({i}, {j}) B is nearest, but there is {got}",
+                    brief_number(z),
+                    brief_number(nearer),
+                );
+            }
             // Far less than any tolerance in use, far more than any formula for z rounds.
             let scene = [level(z, 'A'), level(z - 1e-12 * z.abs(), 'B')];
             let Buffers { colour, .. } = drawn(&scene, WIDTH, HEIGHT, FAR);
@@ -300,7 +374,7 @@ mod hsr2_z_buffer {
                 colour[i + j * WIDTH] == 'B',
                 "A at z = {}, then B nearer by a 10¹²th of that: at pixel ({i}, {j}) B is nearest, for z < depth has no \
                  tolerance, but there is {}",
-                show_number(z),
+                brief_number(z),
                 colour[i + j * WIDTH],
             );
         }
@@ -308,7 +382,7 @@ mod hsr2_z_buffer {
 
     #[test]
     fn at_the_far_distance_and_huge() {
-        let mut level = Quarters([(1, 1, 0), (79, 1, 0), (1, 39, 0)].map(IVec3::from)).colour('A');
+        let mut level = level_triangle().colour('A');
         for (z, far, seen) in [
             (99.0, 100.0, true),
             (100.0, 100.0, false),
@@ -331,8 +405,8 @@ mod hsr2_z_buffer {
             assert!(
                 got == seen,
                 "a triangle at z = {}, the far distance {}: it is {verdict}",
-                show_number(z),
-                show_number(far),
+                brief_number(z),
+                brief_number(far),
             );
         }
     }

@@ -13,8 +13,9 @@ struct Stick {
 /// A + t (B − A) = A' + t' (B' − A')  in x and y,   0 ≤ t, t' ≤ 1          z < z'
 /// ```
 ///
-/// Given; nothing is to be done here.
+/// Given; nothing is to be done here. Its calls are counted, so that a loop without an end is stopped.
 fn hides(front: &Stick, back: &Stick) -> bool {
+    assess::counted("hides");
     let (u, v) = (front.b - front.a, back.b - back.a);
     let across = u.truncate().perp_dot(v.truncate());
     let between = (back.a - front.a).truncate();
@@ -46,7 +47,7 @@ fn main() {}
 #[cfg(test)]
 mod hsr3_painter {
     use super::{Stick, order};
-    use assess::{Inputs, show};
+    use assess::{Inputs, brief, painted_sticks, within_calls};
     use glam::DVec3;
 
     fn stick(a: (f64, f64, f64), b: (f64, f64, f64)) -> Stick {
@@ -57,9 +58,32 @@ mod hsr3_painter {
     }
 
     fn name(sticks: &[Stick]) -> String {
-        let each = sticks.iter().enumerate();
-        let each = each.map(|(i, s)| format!("{i}: {} to {}", show(s.a), show(s.b)));
-        format!("sticks {}", each.collect::<Vec<_>>().join(", "))
+        let each = sticks.iter().enumerate().take(6);
+        let each = each.map(|(i, s)| format!("{i}: {} to {}", brief(s.a), brief(s.b)));
+        let each = each.collect::<Vec<_>>().join(", ");
+        match sticks.len() {
+            0..=6 => format!("sticks {each}"),
+            all => format!("{all} sticks, {each}, …"),
+        }
+    }
+
+    /// The first of some indices.
+    fn few(indices: &[usize]) -> String {
+        let first: Vec<String> = indices.iter().take(12).map(usize::to_string).collect();
+        let more = if indices.len() > 12 { ", …" } else { "" };
+        format!("[{}{more}]", first.join(", "))
+    }
+
+    /// The answer. Looking at each pair once for each stick painted, and for a cycle, is n³ + n² calls of `hides`.
+    fn ordered(sticks: &[Stick]) -> Result<Vec<usize>, Vec<usize>> {
+        let n = sticks.len();
+        let because = "Where sticks hide each other in a ring there is no order, and the search for one has to end.";
+        within_calls(8 * n * n * n + 1000, because, || order(sticks))
+    }
+
+    fn picture(sticks: &[Stick], painted: &[usize]) -> assess::Picture {
+        let ends: Vec<_> = sticks.iter().map(|s| [s.a, s.b]).collect();
+        painted_sticks(&ends, painted)
     }
 
     /// A level stick at the depth z whose ends lie on two sides of a square about the origin: any two of them cross or not.
@@ -97,8 +121,9 @@ mod hsr3_painter {
         sorted.sort_unstable();
         assert!(
             sorted == (0..sticks.len()).collect::<Vec<_>>(),
-            "{}: the order {painted:?} has to name each of them once",
+            "{}: the order {} has to name each of them once",
             name(sticks),
+            few(painted),
         );
         let pairs = (0..painted.len()).flat_map(|q| (0..q).map(move |p| (painted[p], painted[q])));
         pairs
@@ -107,10 +132,11 @@ mod hsr3_painter {
     }
 
     fn painted(sticks: &[Stick]) -> Vec<usize> {
-        order(sticks).unwrap_or_else(|cycle| {
+        ordered(sticks).unwrap_or_else(|cycle| {
             panic!(
-                "{}: these can be painted, but got the cycle {cycle:?}",
-                name(sticks)
+                "{}: these can be painted, but got the cycle {}",
+                name(sticks),
+                few(&cycle)
             )
         })
     }
@@ -148,34 +174,53 @@ mod hsr3_painter {
 
     fn check_cycle(sticks: &[Stick], inputs: &mut Inputs) {
         let what = name(sticks);
-        let cycle = match order(sticks) {
+        let cycle = match ordered(sticks) {
             Err(cycle) => cycle,
             Ok(got) => {
                 if let Err(mistake) = looks_at_the_crossing(inputs) {
                     panic!("{mistake}");
                 }
+                let _picture = picture(sticks, &got);
                 panic!(
-                    "{what}: no order exists, for they hide each other in a ring, but got {got:?}"
+                    "{what}: no order exists, for they hide each other in a ring, but got {}",
+                    few(&got)
                 );
             }
         };
         assert!(
             cycle.len() > 1 && cycle.iter().all(|&i| i < sticks.len()),
-            "{what}: {cycle:?} is no cycle of these sticks"
+            "{what}: {} is no cycle of these sticks",
+            few(&cycle)
         );
+        let _picture = picture(sticks, &cycle);
         let mut named = cycle.clone();
         named.sort_unstable();
         named.dedup();
         assert!(
             named.len() == cycle.len(),
-            "{what}: got {cycle:?}, but a cycle names each of its sticks once: it ends before the first comes again",
+            "{what}: got {}, but a cycle names each of its sticks once: it ends before the first comes again",
+            few(&cycle),
+        );
+        let hides_next = |cycle: &[usize]| {
+            let next = cycle.iter().cycle().skip(1);
+            cycle
+                .iter()
+                .zip(next)
+                .all(|(&i, &j)| is_over(&sticks[i], &sticks[j]))
+        };
+        let turned: Vec<usize> = cycle.iter().rev().copied().collect();
+        assert!(
+            !hides_next(&turned) || hides_next(&cycle),
+            "{what}: got the cycle {} back to front: each must hide the next, here each is hidden by it",
+            few(&cycle),
         );
         for (k, &i) in cycle.iter().enumerate() {
             let next = cycle[(k + 1) % cycle.len()];
             assert!(
                 is_over(&sticks[i], &sticks[next]),
-                "{what}: got the cycle {cycle:?}, but {i} does not hide {next}: a cycle names those alone of which each hides \
+                "{what}: got the cycle {}, but {i} does not hide {next}: a cycle names those alone of which each hides \
                  the next, not all that are left, and in that order",
+                few(&cycle),
             );
         }
     }
@@ -217,8 +262,10 @@ mod hsr3_painter {
                 panic!("{mistake}");
             }
             if let Some((early, late)) = first_mistake(&two, &got) {
+                let _picture = picture(&two, &got);
                 panic!(
-                    "{what}: without the third there is an order, but in {got:?} stick {early} hides {late} and comes first"
+                    "{what}: without the third there is an order, but in {} stick {early} hides {late} and comes first",
+                    few(&got)
                 );
             }
         }
@@ -227,7 +274,7 @@ mod hsr3_painter {
     #[test]
     fn level_sticks() {
         let mut inputs = Inputs::new(62);
-        for count in [2, 3, 5, 9].into_iter().cycle().take(100) {
+        for count in [2, 3, 5, 9].into_iter().flat_map(|count| [count; 25]) {
             let sticks: Vec<_> = (0..count)
                 .map(|_| {
                     let z = f64::from(inputs.integer(1, 1000));
@@ -237,12 +284,14 @@ mod hsr3_painter {
             let got = painted(&sticks);
             if let Some((early, late)) = first_mistake(&sticks, &got) {
                 let what = name(&sticks);
+                let _picture = picture(&sticks, &got);
+                let got = few(&got);
                 assert!(
                     is_back_to_front(),
-                    "{what}: got {got:?}, but {early} hides {late}. The painter goes back to front: the farthest is painted \
+                    "{what}: got {got}, but {early} hides {late}. The painter goes back to front: the farthest is painted \
                      first, so that the nearer ones cover it",
                 );
-                panic!("{what}: got {got:?}, but {early} hides {late} and is painted before it");
+                panic!("{what}: got {got}, but {early} hides {late} and is painted before it");
             }
         }
     }
@@ -260,13 +309,13 @@ mod hsr3_painter {
     #[test]
     fn slanted_sticks() {
         let mut inputs = Inputs::new(64);
-        for count in [2, 4, 8].into_iter().cycle().take(150) {
+        for count in [2, 4, 8].into_iter().flat_map(|count| [count; 50]) {
             let mut sticks: Vec<_> = (0..count).map(|_| level(&mut inputs, 0.0)).collect();
             for stick in &mut sticks {
                 stick.a.z = inputs.real(0.0, 100.0);
                 stick.b.z = inputs.real(0.0, 100.0);
             }
-            match order(&sticks) {
+            match ordered(&sticks) {
                 Err(_) => check_cycle(&sticks, &mut inputs),
                 Ok(got) => {
                     let mistake = first_mistake(&sticks, &got);
@@ -277,9 +326,11 @@ mod hsr3_painter {
                         panic!("{mistake}");
                     }
                     if let Some((early, late)) = mistake {
+                        let _picture = picture(&sticks, &got);
                         panic!(
-                            "{}: got {got:?}, but stick {early} hides {late} and comes before it",
-                            name(&sticks)
+                            "{}: got {}, but stick {early} hides {late} and comes before it",
+                            name(&sticks),
+                            few(&got)
                         );
                     }
                 }
@@ -290,7 +341,7 @@ mod hsr3_painter {
     #[test]
     fn a_cycle_among_others() {
         let mut inputs = Inputs::new(65);
-        for n in [3, 4, 5, 6].into_iter().cycle().take(40) {
+        for n in [3, 4, 5, 6].into_iter().flat_map(|n| [n; 10]) {
             let mut sticks = ring(n);
             // One in front of all and one behind all: painted last and first, and no part of the cycle.
             let z = f64::from(inputs.integer(20, 90));
@@ -305,13 +356,13 @@ mod hsr3_painter {
     #[test]
     fn none_and_one_and_many() {
         assert!(
-            order(&[]) == Ok(vec![]),
+            ordered(&[]) == Ok(vec![]),
             "no stick: an empty order, got {:?}",
             order(&[])
         );
         let one = [stick((0.0, 0.0, 1.0), (1.0, 1.0, 1.0))];
         assert!(
-            order(&one) == Ok(vec![0]),
+            ordered(&one) == Ok(vec![0]),
             "one stick: it alone, got {:?}",
             order(&one)
         );

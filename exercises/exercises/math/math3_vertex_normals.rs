@@ -21,7 +21,11 @@ enum Weighting {
 ///
 /// The sum runs over the triangles A B C that have the vertex as a corner; `triangles` holds indices into
 /// `positions`, all in range, in the order that makes AB × AC point outwards. A triangle without area has no
-/// normal and is left out. `None` where no triangle is left or the sum is zero.
+/// normal and is left out. `None` where no triangle is left or the sum is (0, 0, 0).
+///
+/// N is right to 256 ε Σ wᵢ / ‖Σ wᵢ n̂ᵢ‖ in each coordinate, ε being `f64::EPSILON`, where the angles lie between 5°
+/// and 175°; an arc cosine is good enough for that. A thinner triangle counts too, but has fewer digits. Sides may be
+/// from 10⁻⁷⁰ to 10⁷⁰ long.
 ///
 /// The deck takes the mean of the *faces*. A mesh has triangles, and a face of the cube meets its corner in one
 /// or in two of them, as its diagonal runs: find out which weighting does not notice.
@@ -45,8 +49,13 @@ fn main() {}
 mod math3_vertex_normals {
     use super::{Weighting, vertex_normal};
     use Weighting::{Angle, Area, Plain};
-    use assess::{Inputs, is_near, near, parallel, show, some};
+    use assess::{Inputs, brief, brief_number, is_near, parallel};
     use glam::DVec3;
+
+    const WEIGHTINGS: [Weighting; 3] = [Plain, Area, Angle];
+
+    /// The bound of the doc comment, for sums that are not short.
+    const BOUND: f64 = 256.0 * f64::EPSILON;
 
     /// The corners of a box in the deck's order, its lowest one at (0, 20, 0).
     fn corners(size: DVec3) -> Vec<DVec3> {
@@ -87,14 +96,130 @@ mod math3_vertex_normals {
     }
 
     fn normal(
+        what: &str,
         positions: &[DVec3],
         triangles: &[[usize; 3]],
         vertex: usize,
         weighting: Weighting,
     ) -> DVec3 {
-        let what = format!("vertex {vertex}, {weighting:?}");
-        let n = vertex_normal(positions, triangles, vertex, weighting);
-        some(&what, n, "triangles with area meet there")
+        let Some(n) = vertex_normal(positions, triangles, vertex, weighting) else {
+            panic!("{weighting:?}, {what}: got None, but triangles with an area meet there");
+        };
+        assert!(!n.is_nan(), "{weighting:?}, {what}: got Some(NaN)");
+        assert!(
+            n != DVec3::ZERO,
+            "{weighting:?}, {what}: got (0, 0, 0), which is no direction"
+        );
+        n
+    }
+
+    #[track_caller]
+    fn near(what: &str, n: DVec3, want: DVec3, bound: f64) {
+        assert!(
+            is_near(n, want, bound),
+            "{what}: expected {}, got {} (off by {:.1e}, allowed is {bound:.1e})",
+            brief(want),
+            brief(n),
+            (n - want).abs().max_element(),
+        );
+    }
+
+    /// What holds of one triangle and of three is asked first in each test.
+    fn examine_first() {
+        // The vertex, a corner at 2 on each axis, a triangle elsewhere, and a corner at 45°.
+        let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+        let positions = [
+            DVec3::ZERO,
+            2.0 * x,
+            2.0 * y,
+            2.0 * z,
+            9.0 * x,
+            9.0 * x + y,
+            9.0 * x + z,
+            2.0 * x + 2.0 * y,
+        ];
+        let elsewhere = [4, 5, 6];
+        for weighting in WEIGHTINGS {
+            let ask = |what: &str, triangles: &[[usize; 3]]| {
+                normal(what, &positions, triangles, 0, weighting)
+            };
+            if weighting == Angle && vertex_normal(&positions, &[[0, 1, 2]], 0, Angle).is_none() {
+                let half = vertex_normal(&positions, &[[0, 1, 7]], 0, Angle);
+                assert!(
+                    half.is_none(),
+                    "Angle: a triangle with a right angle at the vertex does not count, but one with 45° does: the weight \
+                     is the angle itself (its cosine, for one, is 0 at 90°)",
+                );
+            }
+            let three = [[0, 1, 2], [0, 2, 3], [0, 3, 1]];
+            let what = "three equal triangles with the normals (0, 0, 1), (1, 0, 0), (0, 1, 0)";
+            let n = ask(what, &three);
+            for (which, part) in [("first", n.z), ("second", n.x), ("third", n.y)] {
+                assert!(
+                    part.abs() > BOUND,
+                    "{weighting:?}, {what}: N is {}, so the {which} triangle does not count",
+                    brief(n),
+                );
+            }
+            let what = "the triangle (0, 0, 0) (2, 0, 0) (0, 2, 0) at the vertex (0, 0, 0)";
+            let n = ask(what, &[[0, 1, 2]]);
+            assert!(
+                !parallel(-n, z, BOUND),
+                "{weighting:?}, {what}: N is {}, inwards, as AC × AB is",
+                brief(n),
+            );
+            assert!(
+                !parallel(n, z, BOUND) || (n.length() - 1.0).abs() <= BOUND,
+                "{weighting:?}, {what}: the direction is right, but the length is {}: make the sum unit",
+                brief_number(n.length()),
+            );
+            near(&format!("{weighting:?}, {what}"), n, z, BOUND);
+
+            for (place, triangle) in [("third", [1, 2, 0]), ("second", [2, 0, 1])] {
+                let listed = format!("{what}, which it lists as its {place} corner");
+                let n = ask(&listed, &[triangle]);
+                assert!(
+                    !parallel(-n, z, BOUND),
+                    "{weighting:?}, {listed}: N turns to {}, inwards: from the vertex on, the corners must run round \
+                     the triangle in the same order",
+                    brief(n),
+                );
+                near(&format!("{weighting:?}, {listed}"), n, z, BOUND);
+            }
+
+            for triangles in [[[0, 1, 2], elsewhere], [elsewhere, [0, 1, 2]]] {
+                let n = ask("one of two triangles at the vertex", &triangles);
+                assert!(
+                    is_near(n, z, BOUND),
+                    "{weighting:?}: N changes from (0, 0, 1) to {} when the mesh has a triangle elsewhere, without \
+                     the vertex among its corners: only those at the vertex count",
+                    brief(n),
+                );
+            }
+
+            let what = "three equal triangles with the normals (0, 0, 1), (1, 0, 0), (0, 1, 0)";
+            let n = ask(what, &three);
+            let [first, second, third] = three;
+            let again = ask(what, &[third, first, second]);
+            assert!(
+                parallel(n, again, BOUND),
+                "{weighting:?}, {what}: N is {}, and {} when the third triangle is listed first: add all of them and \
+                 make the sum unit once, after the loop",
+                brief(n),
+                brief(again),
+            );
+            assert!(
+                !parallel(n, x + y + z, BOUND) || (n.length() - 1.0).abs() <= BOUND,
+                "{weighting:?}, {what}: the direction is right, but the length is {}: make the sum unit",
+                brief_number(n.length()),
+            );
+            near(
+                &format!("{weighting:?}, {what}"),
+                n,
+                (x + y + z).normalize(),
+                BOUND,
+            );
+        }
     }
 
     /// A box of any size, cut along any diagonals, and one of its vertices.
@@ -137,11 +262,64 @@ mod math3_vertex_normals {
         }
     }
 
-    /// Sums of at most six weighted unit normals; an angle of a 1 : 9 box loses a decimal digit to the arc cosine.
-    const BOUND: f64 = 64.0 * f64::EPSILON;
+    /// A triangle by its two sides at the vertex and the angle between them in degrees.
+    #[derive(Clone, Copy)]
+    struct Corner(f64, f64, f64);
+
+    impl Corner {
+        fn angle(self) -> f64 {
+            self.2.to_radians()
+        }
+
+        fn weight(self, weighting: Weighting) -> f64 {
+            match weighting {
+                Plain => 1.0,
+                Area => self.0 * self.1 * self.angle().sin() / 2.0,
+                Angle => self.angle(),
+            }
+        }
+    }
+
+    /// The vertex normal of two triangles that are square to each other: the normal of `first` is (0, 0, 1) and that
+    /// of `second` (1, 0, 0). So N.x / N.z is how many times the first one's weight the second one has.
+    fn two(first: Corner, second: Corner, turn: usize, weighting: Weighting) -> DVec3 {
+        let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+        let far = |c: Corner, u: DVec3, v: DVec3| {
+            let (sin, cos) = c.angle().sin_cos();
+            c.1 * (cos * u + sin * v)
+        };
+        let positions = [
+            DVec3::ZERO,
+            first.0 * x,
+            far(first, x, y),
+            second.0 * y,
+            far(second, y, z),
+        ];
+        let triangles = [[0, 1, 2], [0, 3, 4]].map(|mut triangle| {
+            triangle.rotate_left(turn);
+            triangle
+        });
+        normal(
+            "two triangles square to each other",
+            &positions,
+            &triangles,
+            0,
+            weighting,
+        )
+    }
+
+    fn times(first: Corner, second: Corner, weighting: Weighting) -> f64 {
+        let n = two(first, second, 0, weighting);
+        n.x / n.z
+    }
+
+    fn same(a: f64, b: f64) -> bool {
+        (a - b).abs() <= 4.0 * BOUND * b
+    }
 
     #[test]
     fn slide_cube() {
+        examine_first();
         let positions = corners(DVec3::splat(10.0));
         // At vertex 0 the faces −y and −z are cut into two triangles that touch it, −x into one or two.
         let one = cut([true, true, true, true, false, true]);
@@ -149,52 +327,159 @@ mod math3_vertex_normals {
         let even = -DVec3::ONE / 3f64.sqrt();
         let uneven = DVec3::new(-1.0, -2.0, -2.0) / 3.0;
         for (weighting, triangles, want, why) in [
+            (Plain, &two, even, "two triangles of each face"),
             (
                 Plain,
                 &one,
                 uneven,
                 "one triangle of −x, two of −y and of −z",
             ),
-            (Plain, &two, even, "two triangles of each face"),
-            (Area, &one, uneven, "all triangles are of one size here"),
             (Area, &two, even, "all triangles are of one size here"),
-            (Angle, &one, even, "the angles of each face add up to 90°"),
+            (Area, &one, uneven, "all triangles are of one size here"),
             (Angle, &two, even, "the angles of each face add up to 90°"),
+            (Angle, &one, even, "the angles of each face add up to 90°"),
         ] {
-            near(
-                &format!("(0, 20, 0), {weighting:?}: {why}"),
-                normal(&positions, triangles, 0, weighting),
-                want,
-                BOUND,
-            );
+            let what = "the corner (0, 20, 0) of the cube";
+            let n = normal(what, &positions, triangles, 0, weighting);
+            near(&format!("{weighting:?}, {what}, {why}"), n, want, BOUND);
         }
         for vertex in 0..8 {
             let outwards = (positions[vertex] - DVec3::new(5.0, 25.0, 5.0)).normalize();
-            near(
-                &format!("vertex {vertex}, Angle"),
-                normal(&positions, &one, vertex, Angle),
-                outwards,
-                BOUND,
+            let what = format!("the corner {} of the cube", brief(positions[vertex]));
+            let n = normal(&what, &positions, &one, vertex, Angle);
+            near(&format!("Angle, {what}"), n, outwards, BOUND);
+        }
+    }
+
+    #[test]
+    fn weights() {
+        examine_first();
+        let square = Corner(1.0, 1.0, 90.0);
+        let larger = Corner(2.0, 2.0, 90.0);
+        let found = WEIGHTINGS.map(|weighting| times(square, larger, weighting));
+        for (weighting, found) in [Plain, Angle].into_iter().zip([found[0], found[2]]) {
+            assert!(
+                same(found, 1.0),
+                "{weighting:?}: of two right angles, one with four times the area counts {} times as much: ‖AB × AC‖ \
+                 is twice the area, so the weight belongs to the unit normal",
+                brief_number(found),
             );
+        }
+        assert!(
+            !same(found[1], 1.0),
+            "Area: a triangle with four times the area counts no more than the other: its weight is missing",
+        );
+        assert!(
+            same(found[1], 4.0),
+            "Area: a triangle with four times the area counts {} times as much, but must count 4 times: the weight \
+             is the area itself, and belongs to the unit normal",
+            brief_number(found[1]),
+        );
+
+        let longer = times(square, Corner(1.0, 2.0, 90.0), Angle);
+        assert!(
+            same(longer, 1.0),
+            "Angle: two triangles have a right angle at the vertex, but the one with sides 1 and 2 there counts {} \
+             times as much as the one with 1 and 1: the angle is the one at the vertex, not at another corner",
+            brief_number(longer),
+        );
+        let half = times(Corner(1.0, 1.0, 45.0), square, Angle);
+        assert!(
+            !same(half, 1.0),
+            "Angle: 90° counts no more than 45°: the angle is missing as the weight",
+        );
+        assert!(
+            same(half, 2.0),
+            "Angle: 90° counts {} times as much as 45°, but must count twice: the weight is the angle itself, not \
+             a function of it",
+            brief_number(half),
+        );
+        let obtuse = times(Corner(1.0, 1.0, 60.0), Corner(1.0, 1.0, 120.0), Angle);
+        assert!(
+            !same(obtuse, 1.0),
+            "Angle: 120° counts as much as 60°: both have one sine, so the arc sine of ‖AB × AC‖ / (‖AB‖ ‖AC‖) does \
+             not tell an obtuse angle; the cosine does",
+        );
+        assert!(
+            obtuse > 0.0,
+            "Angle: 120° counts {} times as much as 60°: the arc tangent of ‖AB × AC‖ / (AB·AC) is negative beyond 90°, \
+             but atan2 of the two is not",
+            brief_number(obtuse),
+        );
+        assert!(
+            same(obtuse, 2.0),
+            "Angle: 120° counts {} times as much as 60°, but must count twice",
+            brief_number(obtuse),
+        );
+
+        let mut inputs = Inputs::new(5);
+        for _ in 0..200 {
+            let [first, second] = [(); 2].map(|()| {
+                Corner(
+                    inputs.real(1.0, 9.0),
+                    inputs.real(1.0, 9.0),
+                    inputs.real(10.0, 170.0),
+                )
+            });
+            for weighting in WEIGHTINGS {
+                let n = two(first, second, 0, weighting);
+                let [w1, w2] = [first, second].map(|corner| corner.weight(weighting));
+                let show = |Corner(ab, ac, angle): Corner| {
+                    format!(
+                        "‖AB‖ {}, ‖AC‖ {}, {}°",
+                        brief_number(ab),
+                        brief_number(ac),
+                        brief_number(angle)
+                    )
+                };
+                assert!(
+                    is_near(n, DVec3::new(w2, 0.0, w1).normalize(), 2.0 * BOUND),
+                    "{weighting:?}: a triangle with {} counts {} times as much as one with {}, but must count {} times",
+                    show(second),
+                    brief_number(n.x / n.z),
+                    show(first),
+                    brief_number(w2 / w1),
+                );
+            }
         }
     }
 
     #[test]
     fn any_order_of_corners() {
+        examine_first();
+        let corners_of_two = [Corner(1.0, 1.0, 90.0), Corner(1.0, 2.0, 90.0)];
+        for turn in [1, 2] {
+            for weighting in WEIGHTINGS {
+                let [first, second] = corners_of_two;
+                let n = two(first, second, 0, weighting);
+                let again = two(first, second, turn, weighting);
+                assert!(
+                    parallel(n, again, BOUND),
+                    "{weighting:?}: N is {} when two triangles list the vertex first, and {} when they list it {}: \
+                     {}",
+                    brief(n),
+                    brief(again),
+                    ["third", "second"][turn - 1],
+                    match weighting {
+                        Angle => "the angle is the one at the vertex, wherever that is listed",
+                        Plain | Area => "it is the same mesh",
+                    },
+                );
+            }
+        }
         let mut inputs = Inputs::new(3);
         for _ in 0..200 {
             let (size, triangles, vertex) = any_box(&mut inputs);
             let turned: Vec<_> = triangles.iter().map(|&[a, b, c]| [b, c, a]).collect();
-            for weighting in [Plain, Area, Angle] {
-                let n = normal(&corners(size), &triangles, vertex, weighting);
-                let again = normal(&corners(size), &turned, vertex, weighting);
+            for weighting in WEIGHTINGS {
+                let what = format!("vertex {vertex} of a box of {}", brief(size));
+                let n = normal(&what, &corners(size), &triangles, vertex, weighting);
+                let again = normal(&what, &corners(size), &turned, vertex, weighting);
                 assert!(
                     parallel(n, again, BOUND),
-                    "{weighting:?}, a box of {}: the answer depends on which corner a triangle lists first, {} or {}: \
-                     the angle is the one at the vertex",
-                    show(size),
-                    show(n),
-                    show(again),
+                    "{weighting:?}, {what}: N depends on which corner a triangle lists first: {} or {}",
+                    brief(n),
+                    brief(again),
                 );
             }
         }
@@ -202,106 +487,158 @@ mod math3_vertex_normals {
 
     #[test]
     fn any_size() {
+        examine_first();
         let mut inputs = Inputs::new(4);
         for _ in 0..200 {
             let (size, triangles, vertex) = any_box(&mut inputs);
-            let what =
-                |weighting| format!("{weighting:?}, vertex {vertex} of a box of {}", show(size));
-            for weighting in [Plain, Area, Angle] {
-                let n = normal(&corners(size), &triangles, vertex, weighting);
+            for weighting in WEIGHTINGS {
+                let what = format!("vertex {vertex} of a box of {}", brief(size));
+                let n = normal(&what, &corners(size), &triangles, vertex, weighting);
                 let want = expected(size, &triangles, vertex, weighting);
-                assert!(
-                    !parallel(n, want, BOUND) || is_near(n, want, BOUND),
-                    "{}: the direction is right, but its length is {}: make the sum unit",
-                    what(weighting),
-                    n.length(),
-                );
-                assert!(
-                    !parallel(-n, want, BOUND),
-                    "{}: the normal points inwards",
-                    what(weighting)
-                );
-                near(&what(weighting), n, want, BOUND);
-            }
-        }
-    }
-
-    #[test]
-    fn one_larger_triangle() {
-        let mut inputs = Inputs::new(5);
-        let fan = [[0, 1, 2], [0, 3, 4], [0, 5, 6]];
-        for _ in 0..50 {
-            // Three triangles square to each other meet at the origin; the first one is then made larger.
-            let sides = [DVec3::X, DVec3::Y, DVec3::Y, DVec3::Z, DVec3::Z, DVec3::X];
-            let mut positions = vec![DVec3::ZERO];
-            positions.extend(sides.map(|side| inputs.real(1.0, 9.0) * side));
-            let before = [Plain, Angle].map(|weighting| normal(&positions, &fan, 0, weighting));
-            positions[1] *= 4.0;
-            positions[2] *= 4.0;
-            for (weighting, before) in [Plain, Angle].into_iter().zip(before) {
-                assert!(
-                    is_near(normal(&positions, &fan, 0, weighting), before, BOUND),
-                    "{weighting:?}: the larger triangles count more: ‖AB × AC‖ is twice the area, so the weight \
-                     belongs to the unit normal",
-                );
+                near(&format!("{weighting:?}, {what}"), n, want, BOUND);
             }
         }
     }
 
     #[test]
     fn without_area() {
+        examine_first();
         let mut positions = corners(DVec3::splat(10.0));
-        let mut triangles = cut([true; 6]);
-        let whole =
-            [Plain, Area, Angle].map(|weighting| normal(&positions, &triangles, 0, weighting));
-        // A point, an edge run twice, and three points in a row.
         positions.push(DVec3::new(5.0, 20.0, 0.0));
-        triangles.extend([[0, 0, 0], [0, 1, 1], [1, 0, 1], [0, 8, 1]]);
-        for (weighting, want) in [Plain, Area, Angle].into_iter().zip(whole) {
-            let n = normal(&positions, &triangles, 0, weighting);
-            assert!(
-                !n.is_nan(),
-                "{weighting:?} is NaN: a triangle without area has no normal and is left out"
-            );
-            near(
-                &format!("{weighting:?}, with triangles without area"),
-                n,
-                want,
-                BOUND,
-            );
-            let row = vertex_normal(&positions, &[[0, 8, 1]], 0, weighting);
-            assert!(
-                row.is_none(),
-                "{weighting:?}: only a triangle without area is there, so None, got {row:?}"
-            );
+        for weighting in WEIGHTINGS {
             let none = vertex_normal(&positions, &[[1, 2, 3]], 0, weighting);
             assert!(
                 none.is_none(),
                 "{weighting:?}: no triangle meets the vertex, so None, got {none:?}"
             );
+            // A point, an edge run twice, and three points in a row.
+            for flat in [[0, 0, 0], [0, 1, 1], [1, 0, 1], [0, 8, 1]] {
+                let mut triangles = cut([true; 6]);
+                let want = normal("the whole cube", &positions, &triangles, 0, weighting);
+                triangles.insert(0, flat);
+                let what = format!(
+                    "{weighting:?}, the cube and a triangle without area, {} {} {}",
+                    brief(positions[flat[0]]),
+                    brief(positions[flat[1]]),
+                    brief(positions[flat[2]])
+                );
+                let Some(n) = vertex_normal(&positions, &triangles, 0, weighting) else {
+                    panic!("{what}: got None, but that triangle is left out and the others count");
+                };
+                assert!(
+                    !n.is_nan(),
+                    "{what}: got Some(NaN): it has no normal and is left out"
+                );
+                near(&what, n, want, BOUND);
+                let alone = vertex_normal(&positions, &[flat], 0, weighting);
+                assert!(
+                    alone.is_none(),
+                    "{weighting:?}: only a triangle without area is there, so None, got {alone:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn thin() {
+        examine_first();
+        let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+        let triangles = [[0, 1, 2], [0, 3, 4]];
+        // A right angle with the normal (0, 0, 1), and a thin triangle with the normal (1, 0, 0).
+        for thin in [1e-3, 1e-6, 1e-9] {
+            let positions = [DVec3::ZERO, x, y, y, y + thin * z];
+            for (weighting, want) in [
+                (Plain, x + z),
+                (Area, thin * x + z),
+                (Angle, f64::atan(thin) * x + f64::acos(0.0) * z),
+            ] {
+                let what = format!("a right angle and an angle of {thin:e}");
+                let n = normal(&what, &positions, &triangles, 0, weighting);
+                assert!(
+                    weighting == Angle || n.x > 0.0,
+                    "{weighting:?}, {what}: N is {}: the thin triangle, with the normal (1, 0, 0), does not count, but it \
+                     has an area",
+                    brief(n),
+                );
+                near(&format!("{weighting:?}, {what}"), n, want.normalize(), 1e-7);
+            }
+        }
+        let mut inputs = Inputs::new(6);
+        for _ in 0..200 {
+            let side = inputs.whole_vector(1, 9);
+            let positions = [DVec3::ZERO, x, y, side, side + 1e-9 * y];
+            let n = vertex_normal(&positions, &triangles, 0, Angle);
+            assert!(
+                n.is_some_and(|n| is_near(n, z, 1e-7)),
+                "Angle, a right angle with the normal (0, 0, 1) and an angle below 10⁻⁹ along {}: got {}: rounded, \
+                 AB·AC / (‖AB‖ ‖AC‖) may be above 1, which has no arc cosine",
+                brief(side),
+                n.map_or("None".to_owned(), brief),
+            );
+        }
+    }
+
+    #[test]
+    fn sum_is_zero() {
+        examine_first();
+        let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+        // The same triangle from both sides. Whole coordinates: each product of one is that of the other, negated.
+        let positions = [
+            DVec3::ZERO,
+            DVec3::new(3.0, 1.0, 0.0),
+            DVec3::new(-1.0, 2.0, 2.0),
+        ];
+        for weighting in WEIGHTINGS {
+            for triangles in [[[0, 1, 2], [0, 2, 1]], [[1, 2, 0], [2, 1, 0]]] {
+                let Some(n) = vertex_normal(&positions, &triangles, 0, weighting) else {
+                    continue;
+                };
+                assert!(
+                    !n.is_nan(),
+                    "{weighting:?}, a triangle and its back: got Some(NaN): the sum is (0, 0, 0) and cannot be made \
+                     unit, so the answer is None",
+                );
+                panic!(
+                    "{weighting:?}, a triangle and its back: the sum is (0, 0, 0), so the answer is None, got {}",
+                    brief(n),
+                );
+            }
+            // The back a little aside: its normal is (0, aside, −1), so the sum is nearly (0, aside, 0).
+            for aside in [1e-3_f64, 1e-6, 1e-9] {
+                let s = 1.0 / (1.0 + aside * aside).sqrt();
+                let want = match weighting {
+                    Plain | Angle => aside * s * y + aside * aside * s * s / (1.0 + s) * z,
+                    Area => aside * y,
+                };
+                let positions = [DVec3::ZERO, x, y, y + aside * z];
+                let n = vertex_normal(&positions, &[[0, 1, 2], [0, 3, 1]], 0, weighting);
+                let what =
+                    format!("{weighting:?}, a triangle and, {aside:e} aside, nearly its back");
+                let Some(n) = n else {
+                    panic!("{what}: got None, but the sum is only short, not (0, 0, 0)");
+                };
+                near(&what, n, want.normalize(), 2.0 * BOUND / aside);
+            }
         }
     }
 
     #[test]
     fn huge_and_tiny() {
+        examine_first();
         let triangles = cut([true, true, true, true, false, true]);
-        for scale in [1e70, 1e-70] {
+        for scale in [1.0, 1e3, 1e6, 1e9, 1e69, 1e-3, 1e-6, 1e-9, 1e-71] {
             let positions: Vec<_> = corners(DVec3::splat(10.0))
                 .into_iter()
-                .map(|p| scale * p)
+                .map(|p| scale * (p - DVec3::new(0.0, 20.0, 0.0)))
                 .collect();
             for (weighting, want) in [
                 (Plain, DVec3::new(-1.0, -2.0, -2.0) / 3.0),
                 (Area, DVec3::new(-1.0, -2.0, -2.0) / 3.0),
                 (Angle, -DVec3::ONE / 3f64.sqrt()),
             ] {
-                let what = format!("the cube {scale:e} times as large, {weighting:?}");
-                near(
-                    &what,
-                    normal(&positions, &triangles, 0, weighting),
-                    want,
-                    BOUND,
-                );
+                let what = format!("the cube {scale:e} times as large");
+                let n = normal(&what, &positions, &triangles, 0, weighting);
+                near(&format!("{weighting:?}, {what}"), n, want, BOUND);
             }
         }
     }

@@ -28,11 +28,11 @@ fn main() {}
 #[cfg(test)]
 mod shadows1_light_at_infinity {
     use super::shadow_matrix;
-    use assess::{Inputs, is_near, near, show, some};
+    use assess::{Inputs, brief, brief4, is_near, near, shadow_plan, shadow_section, some};
     use glam::{DMat4, DVec3, DVec4};
 
     fn matrix(light: DVec3) -> DMat4 {
-        let what = format!("light {}", show(light));
+        let what = format!("light {}", brief(light));
         some(
             &what,
             shadow_matrix(light),
@@ -74,10 +74,17 @@ mod shadows1_light_at_infinity {
         // t = y_P / 10, so x_S = x_P − y_P and z_S = z_P − y_P.
         let x = [-20.0, -10.0, -10.0, -20.0, -30.0, -20.0, -20.0, -30.0];
         let z = [-20.0, -20.0, -10.0, -10.0, -30.0, -30.0, -20.0, -20.0];
+        let got = CUBE.map(|corner| (m * DVec3::from(corner).extend(1.0)).truncate());
+        let want: Vec<DVec3> = x
+            .iter()
+            .zip(z)
+            .map(|(&x, z)| DVec3::new(x, 0.0, z))
+            .collect();
+        let _picture = shadow_plan(&got, &want);
         for ((corner, x), z) in CUBE.map(DVec3::from).into_iter().zip(x).zip(z) {
             let s = m * corner.extend(1.0);
             near(
-                &format!("the shadow of {}", show(corner)),
+                &format!("the shadow of {}", brief(corner)),
                 s.truncate(),
                 DVec3::new(x, 0.0, z),
                 0.0,
@@ -85,7 +92,7 @@ mod shadows1_light_at_infinity {
             assert!(
                 s.w == 1.0,
                 "the shadow of {} has w = {}, not 1",
-                show(corner),
+                brief(corner),
                 s.w
             );
         }
@@ -98,7 +105,14 @@ mod shadows1_light_at_infinity {
             let (light, want, p) = ray(&mut inputs);
             let m = matrix(light);
             let s = m * p.extend(1.0);
-            let what = format!("light {}, P {}, M P = {s}", show(light), show(p));
+            let what = format!(
+                "light {}, P {}, M P = {}",
+                brief(light),
+                brief(p),
+                brief4(s)
+            );
+            let got = (s.w != 0.0).then(|| s.truncate() / s.w);
+            let _picture = shadow_section(DVec4::Y, light.extend(0.0), p, got, Some(want));
             let is_shadow = |s: DVec4| is_near(s.truncate(), want, BOUND) && s.w == 1.0;
             assert!(
                 is_shadow(s) || !is_shadow(m.transpose() * p.extend(1.0)),
@@ -132,7 +146,7 @@ mod shadows1_light_at_infinity {
                 m.is_none(),
                 "light {}: a horizontal light never meets the ground, so the answer is None; its matrix would be \
                  divided by zero",
-                show(light),
+                brief(light),
             );
         }
     }

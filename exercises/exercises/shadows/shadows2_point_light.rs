@@ -40,7 +40,9 @@ fn main() {}
 #[cfg(test)]
 mod shadows2_point_light {
     use super::{shadow, shadow_matrix};
-    use assess::{Inputs, is_near, near, parallel, show, some};
+    use assess::{
+        Inputs, Picture, brief, brief4, is_near, near, parallel, shadow_plan, shadow_section, some,
+    };
     use glam::{DVec3, DVec4};
 
     /// The cube of the deck, in its order.
@@ -66,6 +68,10 @@ mod shadows2_point_light {
             inputs.integer(-50, 50).into(),
         );
         (light, p, p + s * (light - p))
+    }
+
+    fn picture(light: DVec3, v: DVec3, got: Option<DVec3>, want: Option<DVec3>) -> Picture {
+        shadow_section(DVec4::Y, light.extend(1.0), v, got, want)
     }
 
     /// A few roundings of numbers up to 100, which w ≥ 2.5 does not enlarge: the numerators are exact.
@@ -96,8 +102,16 @@ mod shadows2_point_light {
             -200.0 / 7.0,
             -200.0 / 7.0,
         ];
+        let got = CUBE.map(|v| shadow(light, v.into()));
+        let want: Vec<DVec3> = x
+            .iter()
+            .zip(z)
+            .map(|(&x, z)| DVec3::new(x, 0.0, z))
+            .collect();
+        let got: Vec<DVec3> = got.into_iter().flatten().collect();
+        let _picture = shadow_plan(&got, &want);
         for ((v, x), z) in CUBE.map(DVec3::from).into_iter().zip(x).zip(z) {
-            let what = format!("the shadow of {}", show(v));
+            let what = format!("the shadow of {}", brief(v));
             let p = some(&what, shadow(light, v), "the light is above the vertex");
             near(&what, p, DVec3::new(x, 0.0, z), BOUND);
         }
@@ -110,8 +124,15 @@ mod shadows2_point_light {
             let (light, p, v) = ray(&mut inputs, s);
             let m = shadow_matrix(light);
             let cast = m * v.extend(1.0);
-            let what = format!("light {}, V {}, M V = {cast}", show(light), show(v));
+            let what = format!(
+                "light {}, V {}, M V = {}",
+                brief(light),
+                brief(v),
+                brief4(cast)
+            );
             let w = light.y - v.y;
+            let got = (cast.w != 0.0).then(|| cast.truncate() / cast.w);
+            let _picture = picture(light, v, got, Some(p));
             let is_shadow = |cast: DVec4| cast.w == w && is_near(cast.truncate() / w, p, BOUND);
             assert!(
                 is_shadow(cast) || !is_shadow(m.transpose() * v.extend(1.0)),
@@ -132,12 +153,14 @@ mod shadows2_point_light {
         let mut inputs = Inputs::new(8);
         for s in [0.25, 0.5, 0.75].into_iter().cycle().take(200) {
             let (light, want, v) = ray(&mut inputs, s);
-            let what = format!("light {}, V {}", show(light), show(v));
-            let p = some(&what, shadow(light, v), "the light is above the vertex");
+            let what = format!("light {}, V {}", brief(light), brief(v));
+            let got = shadow(light, v);
+            let _picture = picture(light, v, got, Some(want));
+            let p = some(&what, got, "the light is above the vertex");
             assert!(
                 is_near(p, want, BOUND) || !is_near(p / (light.y - v.y), want, BOUND),
                 "{what}: {} divided by w = L_y − V_y would be right: the division by w is missing",
-                show(p),
+                brief(p),
             );
             // A light at infinity in the direction L would cast along L; the point casts along V − L.
             assert!(
@@ -146,7 +169,7 @@ mod shadows2_point_light {
                     || !parallel(v - p, light, 16.0 * f64::EPSILON),
                 "{what}: {} lies on the ray from V along L, as from a light at infinity; here L is a place, and the \
                  rays spread from it (erratum E3)",
-                show(p),
+                brief(p),
             );
             near(&what, p, want, BOUND);
         }
@@ -157,12 +180,14 @@ mod shadows2_point_light {
         let mut inputs = Inputs::new(9);
         for s in [1.0, 1.25, 2.0, 3.0].into_iter().cycle().take(100) {
             let (light, _, v) = ray(&mut inputs, s);
-            if let Some(p) = shadow(light, v) {
+            let got = shadow(light, v);
+            let _picture = picture(light, v, got, None);
+            if let Some(p) = got {
                 panic!(
                     "light {}, V {}: the light is below the vertex: no shadow here, but got {} (w = {} is not positive)",
-                    show(light),
-                    show(v),
-                    show(p),
+                    brief(light),
+                    brief(v),
+                    brief(p),
                     light.y - v.y,
                 );
             }

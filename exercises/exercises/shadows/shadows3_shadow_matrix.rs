@@ -12,7 +12,8 @@ use glam::{DMat4, DVec4};
 /// L_w = 0 the direction towards a light at infinity. Vectors are columns.
 ///
 /// π and −π are the same plane: it is turned so that π·L > 0, and then w > 0 for every true shadow, so that clipping
-/// keeps it. `None` where π·L = 0: the light lies in the plane or shines along it.
+/// keeps it. `None` where π·L = 0 as computed, without a tolerance: the light lies in the plane or shines along it.
+/// Whether the plane is made unit first is left to you: that changes M by a factor and P by roundings.
 ///
 /// Bologna, Ombre su piani in WebGL, prints the transposed matrix (erratum E1). Olomouc, Projekce na libovolnou
 /// plochu, gives that one for rows, with a misprint (erratum E2).
@@ -28,7 +29,9 @@ fn main() {}
 #[cfg(test)]
 mod shadows3_shadow_matrix {
     use super::shadow_matrix;
-    use assess::{Inputs, is_near, near, show, some};
+    use assess::{
+        Inputs, brief, brief4, is_near, near, shadow_bound, shadow_plan, shadow_section, some,
+    };
     use glam::{DMat4, DVec3, DVec4};
 
     /// The cube of the deck, in its order.
@@ -78,7 +81,7 @@ mod shadows3_shadow_matrix {
         }
 
         fn matrix(&self) -> DMat4 {
-            let what = format!("plane {}, light {}", self.plane, self.light);
+            let what = format!("plane {}, light {}", brief4(self.plane), brief4(self.light));
             some(
                 &what,
                 shadow_matrix(self.plane, self.light),
@@ -92,7 +95,23 @@ mod shadows3_shadow_matrix {
 
         /// Whether this is the shadow, whatever the sign of w.
         fn is_shadow(&self, p: DVec4) -> bool {
-            p.w != 0.0 && is_near(p.truncate() / p.w, self.want, BOUND)
+            p.w != 0.0 && is_near(p.truncate() / p.w, self.want, self.bound())
+        }
+
+        fn bound(&self) -> f64 {
+            shadow_bound(self.plane, self.light, self.v)
+        }
+
+        /// Fails unless `p` is the shadow.
+        #[track_caller]
+        fn check(&self, p: DVec4) {
+            near(&self.show(), p.truncate() / p.w, self.want, self.bound());
+        }
+
+        fn picture(&self) -> assess::Picture {
+            let p = self.cast();
+            let got = (p.w != 0.0).then(|| p.truncate() / p.w);
+            shadow_section(self.plane, self.light, self.v, got, Some(self.want))
         }
 
         fn show(&self) -> String {
@@ -100,15 +119,14 @@ mod shadows3_shadow_matrix {
                 plane, light, v, ..
             } = self;
             format!(
-                "plane {plane}, light {light}, V {}, M V = {}",
-                show(*v),
-                self.cast()
+                "plane {}, light {}, V {}, M V = {}",
+                brief4(*plane),
+                brief4(*light),
+                brief(*v),
+                brief4(self.cast())
             )
         }
     }
-
-    /// M V is exact in these whole numbers and quarters; the division rounds numbers up to 20.
-    const BOUND: f64 = 4.0 * f64::EPSILON * 20.0;
 
     fn cases(seed: u64) -> Vec<Case> {
         let mut inputs = Inputs::new(seed);
@@ -120,6 +138,31 @@ mod shadows3_shadow_matrix {
         let ground = DVec4::new(0.0, 1.0, 0.0, 0.0);
         let far = DVec4::new(10.0, 10.0, 10.0, 0.0);
         let near_by = DVec4::new(0.0, 100.0, 100.0, 1.0);
+        for light in [far, near_by] {
+            let m = some(
+                "the ground",
+                shadow_matrix(ground, light),
+                "the light is above it",
+            );
+            let casts = CUBE.map(|v| m * DVec3::from(v).extend(1.0));
+            let got = casts.map(|p| p.truncate() / p.w);
+            let want = CUBE.map(|[x, y, z]| {
+                let t = y / (light.y - light.w * y);
+                let v = DVec3::new(x, y, z);
+                v - t * (light.truncate() - light.w * v)
+            });
+            let _picture = shadow_plan(&got, &want);
+            let is_far = |(p, want): (&DVec3, &DVec3)| !is_near(*p, *want, 1e-9);
+            if let Some(first) = got.iter().zip(&want).position(is_far) {
+                let (v, p) = (DVec3::from(CUBE[first]), casts[first]);
+                panic!(
+                    "light {light}, ground y = 0: the corner {} goes to {p}, so P = {}, but the lecture has {}",
+                    brief(v),
+                    brief(got[first]),
+                    brief(want[first])
+                );
+            }
+        }
         // At infinity: x_P − y_P and z_P − y_P. In the point: 100 x / w and (100 z − 100 y) / w, w = 100 − y.
         for v in CUBE.map(DVec3::from) {
             let w = 100.0 - v.y;
@@ -136,14 +179,7 @@ mod shadows3_shadow_matrix {
                     v,
                     want,
                 };
-                let p = case.cast();
-                // Numbers up to 43, rounded once here and once there.
-                near(
-                    &case.show(),
-                    p.truncate() / p.w,
-                    want,
-                    4.0 * f64::EPSILON * 43.0,
-                );
+                case.check(case.cast());
             }
         }
     }
@@ -151,6 +187,7 @@ mod shadows3_shadow_matrix {
     #[test]
     fn rows_and_columns() {
         for case in cases(10) {
+            let _picture = case.picture();
             let transposed = case.matrix().transpose() * case.v.extend(1.0);
             assert!(
                 case.is_shadow(case.cast()) || !case.is_shadow(transposed),
@@ -168,8 +205,7 @@ mod shadows3_shadow_matrix {
             v,
             want,
         };
-        let p = case.cast();
-        near(&case.show(), p.truncate() / p.w, want, 0.0);
+        case.check(case.cast());
     }
 
     #[test]
@@ -177,15 +213,42 @@ mod shadows3_shadow_matrix {
         let (places, directions): (Vec<_>, Vec<_>) =
             cases(11).into_iter().partition(|case| case.light.w == 1.0);
         let all_right = |cases: &[Case]| cases.iter().all(|case| case.is_shadow(case.cast()));
+        if all_right(&places) && all_right(&directions) {
+            return;
+        }
+        let mut wrong = places.iter().chain(&directions);
+        let first = wrong.find(|case| !case.is_shadow(case.cast()));
+        let _picture = first.map(Case::picture);
         assert!(
             all_right(&directions) || !all_right(&places),
             "right for every place, wrong for a light at infinity: L_w belongs into the formula, in π·L as d L_w and \
              in the last row",
         );
+        // The same light as a place and as a direction.
+        let takes_no_w = |case: &Case| {
+            let [place, direction] =
+                [1.0, 0.0].map(|w| shadow_matrix(case.plane, case.light.with_w(w)));
+            place == direction
+        };
         assert!(
-            all_right(&places) || !all_right(&directions),
-            "right for every light at infinity, wrong for a place: the last row of the matrix must make w",
+            !places.iter().all(takes_no_w),
+            "the matrix is the same for the place L (L_w = 1) and for the direction L (L_w = 0): L_w is not used",
         );
+        // x, y and z of M V in the proportion of P, but w is not what divides them.
+        let only_w_wrong = |case: &Case| {
+            let p = case.cast();
+            let w = p.truncate().dot(case.want) / case.want.length_squared();
+            let fits = is_near(p.truncate() / w, case.want, case.bound());
+            fits && !case.is_shadow(p)
+        };
+        assert!(
+            !places.iter().all(only_w_wrong),
+            "x, y and z of M V are right for a place, but w is not what divides them: the last row of the matrix makes \
+             w = π·L − L_w (π·V), of the coefficients −a L_w, −b L_w, −c L_w and π·L − d L_w",
+        );
+        if let Some(case) = first {
+            case.check(case.cast());
+        }
     }
 
     #[test]
@@ -194,7 +257,12 @@ mod shadows3_shadow_matrix {
             cases(12).into_iter().partition(|case| case.plane.z == 0.0);
         let only_y_wrong = |case: &Case| {
             let p = case.cast();
-            p.w != 0.0 && is_near((p.truncate() / p.w).with_y(case.want.y), case.want, BOUND)
+            p.w != 0.0
+                && is_near(
+                    (p.truncate() / p.w).with_y(case.want.y),
+                    case.want,
+                    case.bound(),
+                )
         };
         assert!(
             slanted.iter().all(|case| case.is_shadow(case.cast()))
@@ -204,8 +272,8 @@ mod shadows3_shadow_matrix {
              misprint −L_z c (erratum E2)",
         );
         for case in upright.iter().chain(&slanted) {
-            let p = case.cast();
-            near(&case.show(), p.truncate() / p.w, case.want, BOUND);
+            let _picture = case.picture();
+            case.check(case.cast());
         }
     }
 
@@ -219,25 +287,74 @@ mod shadows3_shadow_matrix {
                  back side, so turn the plane round first (as in erratum E21)",
                 case.show(),
             );
-            let p = p.truncate() / p.w;
-            near(&case.show(), p, case.want, BOUND);
+            case.check(p);
         }
     }
 
     #[test]
     fn light_in_the_plane() {
-        let plane = DVec4::new(1.0, 2.0, -2.0, -3.0);
-        // 1 + 2·3 − 2·2 − 3 = 0 for the place, 2 + 2·1 − 2·2 = 0 for the direction.
-        for light in [
-            DVec4::new(1.0, 3.0, 2.0, 1.0),
-            DVec4::new(2.0, 1.0, 2.0, 0.0),
-            DVec4::ZERO,
+        // The terms of π·L cancel in pairs, so their sum is 0 in every order, and also for a plane made unit first.
+        for (plane, light) in [
+            (DVec4::Y, DVec4::new(1.0, 0.0, 2.0, 0.0)),
+            (DVec4::Y, DVec4::new(5.0, 0.0, 7.0, 1.0)),
+            (
+                DVec4::new(0.0, 0.0, 2.0, -8.0),
+                DVec4::new(3.0, -1.0, 4.0, 1.0),
+            ),
+            (
+                DVec4::new(1.0, 1.0, 0.0, 0.0),
+                DVec4::new(3.0, -3.0, 5.0, 0.0),
+            ),
+            (
+                DVec4::new(1.0, 1.0, 0.0, 0.0),
+                DVec4::new(3.0, -3.0, 5.0, 1.0),
+            ),
+            (DVec4::new(1.0, 2.0, -2.0, -3.0), DVec4::ZERO),
         ] {
             let m = shadow_matrix(plane, light);
             assert!(
                 m.is_none(),
-                "plane {plane}, light {light}: π·L = 0, so there is no shadow, got {m:?}"
+                "plane {}, light {}: π·L = 0, so there is no shadow, but the answer is a matrix",
+                brief4(plane),
+                brief4(light),
             );
+        }
+    }
+
+    #[test]
+    fn light_nearly_in_the_plane() {
+        // The light is 2⁻¹⁰ … 2⁻⁶⁰ of its distance above the plane, at three scales: however grazing, it gives a shadow.
+        for power in [10, 20, 30, 40, 60] {
+            for scale in [0, 40, -40] {
+                let unit = 2f64.powi(scale);
+                let low = unit * 2f64.powi(-power);
+                let t = 2f64.powi(power);
+                for (light, v, want) in [
+                    (
+                        DVec4::new(unit, low, 0.0, 0.0),
+                        DVec3::Y,
+                        DVec3::new(-t, 0.0, 0.0),
+                    ),
+                    (
+                        DVec4::new(unit, low, 0.0, 1.0),
+                        DVec3::new(0.0, 0.5 * low, 0.0),
+                        DVec3::new(-unit, 0.0, 0.0),
+                    ),
+                ] {
+                    let plane = DVec4::Y;
+                    let because =
+                        "π·L is not 0: its sign is asked for as it is, without a tolerance";
+                    let what = format!("plane y = 0, light {}", brief4(light));
+                    let m = some(&what, shadow_matrix(plane, light), because);
+                    let case = Case {
+                        plane,
+                        light,
+                        v,
+                        want,
+                    };
+                    case.check(m * v.extend(1.0));
+                }
+            }
         }
     }
 
@@ -251,7 +368,7 @@ mod shadows3_shadow_matrix {
                 };
                 let p = scaled.cast();
                 assert!(p.w > 0.0, "{}: w must be positive", scaled.show());
-                near(&scaled.show(), p.truncate() / p.w, case.want, BOUND);
+                scaled.check(p);
             }
         }
     }

@@ -22,6 +22,8 @@ pub struct Complaint {
 pub struct Built {
     /// The test programs, by the name of their target.
     pub programs: BTreeMap<String, PathBuf>,
+    /// The libraries, by the name of their target.
+    pub libraries: BTreeMap<String, PathBuf>,
     /// Errors, in the order in which they came.
     pub complaints: Vec<Complaint>,
     /// Whether cargo ended well.
@@ -67,7 +69,14 @@ fn read_messages(lines: &str) -> Built {
     {
         let target = message["target"]["name"].as_str().unwrap_or_default();
         match message["reason"].as_str() {
-            Some("compiler-artifact") if message["profile"]["test"] == true => {
+            Some("compiler-artifact") if message["profile"]["test"] != true => {
+                let files = message["filenames"].as_array().into_iter().flatten();
+                let mut files = files.filter_map(Value::as_str);
+                if let Some(library) = files.find(|file| file.ends_with(".rlib")) {
+                    built.libraries.insert(target.to_owned(), library.into());
+                }
+            }
+            Some("compiler-artifact") => {
                 if let Some(program) = message["executable"].as_str() {
                     built.programs.insert(target.to_owned(), program.into());
                 }
@@ -98,7 +107,7 @@ mod tests {
     #[test]
     fn messages_give_programs_and_complaints() {
         let built = read_messages(concat!(
-            r#"{"reason":"compiler-artifact","target":{"name":"lib"},"profile":{"test":false},"executable":null}"#,
+            r#"{"reason":"compiler-artifact","target":{"name":"lib"},"profile":{"test":false},"filenames":["y/lib.rmeta","y/lib.rlib"],"executable":null}"#,
             "\n",
             r#"{"reason":"compiler-artifact","target":{"name":"a"},"profile":{"test":false},"executable":"x/a"}"#,
             "\n",
@@ -112,6 +121,10 @@ mod tests {
         assert_eq!(
             built.programs.into_iter().collect::<Vec<_>>(),
             [("a".into(), "x/a-1".into())]
+        );
+        assert_eq!(
+            built.libraries.into_iter().collect::<Vec<_>>(),
+            [("lib".into(), "y/lib.rlib".into())]
         );
         let complaint = Complaint {
             target: "b".into(),

@@ -1,243 +1,342 @@
 //! Grading: the pristine tests, run on the part of each file that is the student's.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 use std::time::Duration;
 
-use crate::build::{self, Built};
+use crate::answers::Answers;
+use crate::compile::{Compiler, Complaint};
 use crate::crate_dir::{self, Scratch};
-use crate::exercise_file::{MARKER, split, test_names};
+use crate::exercise_file::{MARKER, split, test_module, test_names};
+use crate::join::{join_file, without_tests};
 use crate::report::{ExerciseResult, Report, Status, Test, Verdict};
 use crate::set::{Exercise, Set, read_text};
-use crate::{libtest, run, whole};
+use crate::{build, harness, libtest, run};
 
-/// An answer longer than this is no answer to an exercise.
-const LARGEST_FILE: u64 = 1 << 20;
+/// A student reads no more of what the compiler says of one file.
+const COMPILER_LINES: usize = 60;
 
-/// Grades the student's files and writes junit.xml and summary.json into `out`.
-pub fn grade(set: &Set, student_dir: &Path, out: &Path, limit: Duration) -> Result<(), String> {
-    let student = find_student(set, student_dir)?;
-    let out = out_dir(out, &student)?;
+/// How many bytes a test may ask for; none of the course comes near it.
+const MEMORY: u64 = 1 << 30;
 
-    // The student's part above, the pristine tests below.
-    let scratch = Scratch::new()?;
-    let mut bins = "\n".to_owned();
-    let mut prepared = Vec::new();
-    for exercise in &set.exercises {
-        let pristine = read_text(&set.root.join(exercise.path()))?;
-        let (_, below) = split(&pristine).ok_or_else(|| {
-            format!(
-                "{}: the line `{MARKER}` is missing",
-                exercise.path().display()
-            )
-        })?;
-        let answer = read_answer(&student.join(exercise.path()));
-        if let Ok(above) = &answer {
-            crate_dir::write(
-                &scratch.path().join(exercise.path()),
-                &format!("{above}{below}"),
-            )?;
-            let Exercise { name, topic, .. } = exercise;
-            bins +=
-                &format!("  {{ name = \"{name}\", path = \"exercises/{topic}/{name}.rs\" }},\n");
-        }
-        prepared.push((exercise, test_names(below), answer.err()));
-    }
-    crate_dir::prepare(scratch.path(), set, &bins)?;
+/// How long after the time limit a test ends by itself.
+const ALONE: Duration = Duration::from_secs(2);
 
-    // A file that does not compile stops no other.
-    let target = scratch.path().join("target");
-    let built = build::cargo(
-        scratch.path(),
-        &target,
-        &["build", "--tests", "--keep-going"],
-        &[],
-    )?;
-    let mut results = Vec::new();
-    for (exercise, names, unusable) in prepared {
-        results.push(match unusable {
-            Some((status, why)) => without_a_run(exercise, names, status, &why),
-            None => run_or_complain(exercise, names, &built, scratch.path(), limit)?,
-        });
-    }
-
-    let report = Report {
-        student: student_dir.display().to_string(),
-        time_limit: limit,
-        results,
-    };
-    let (junit, summary) = (report.junit(), report.json());
-    whole::together(&[
-        (&out.join("junit.xml"), junit.as_bytes()),
-        (&out.join("summary.json"), summary.as_bytes()),
-    ])
-    .map_err(|refused| refused.to_string())?;
-    print!("{}", report.table());
-    Ok(())
+/// What all students share, made once: the tests as functions, the compiled libraries that they use.
+pub struct Course {
+    exercises: Vec<Tests>,
+    compiler: Compiler,
+    /// Holds the libraries.
+    _scratch: Scratch,
 }
 
-/// The folder below which the student's `exercises/TOPIC/NAME.rs` lie.
-fn find_student(set: &Set, dir: &Path) -> Result<PathBuf, String> {
-    if !dir.is_dir() {
-        return Err(format!(
-            "the student's folder {} is not a folder",
-            dir.display()
-        ));
-    }
-    let candidates = [dir.to_owned(), dir.join("exercises")];
-    let holds_one = |root: &PathBuf| {
-        set.exercises
-            .iter()
-            .any(|exercise| root.join(exercise.path()).is_file())
-    };
-    let found = candidates
-        .iter()
-        .find(|root| holds_one(root))
-        .ok_or_else(|| {
-            let example = set
-                .exercises
-                .first()
-                .map(Exercise::path)
-                .unwrap_or_default();
-            format!(
-                "{} holds no exercise of the set, such as {}",
-                dir.display(),
-                example.display()
-            )
-        })?;
-    found
-        .canonicalize()
-        .map_err(|error| format!("cannot find {}: {error}", found.display()))
-}
-
-/// The report's folder as a full path, which must not lie in the student's tree: that is only read.
-fn out_dir(out: &Path, student: &Path) -> Result<PathBuf, String> {
-    if out.exists() && !out.is_dir() {
-        return Err(format!(
-            "--out {} is a file, but must be a folder",
-            out.display()
-        ));
-    }
-    let absolute =
-        std::path::absolute(out).map_err(|error| format!("--out {}: {error}", out.display()))?;
-    // What does not exist yet has no canonical path; the nearest folder above it has.
-    let existing = absolute
-        .ancestors()
-        .find_map(|folder| Some((folder, folder.canonicalize().ok()?)));
-    let full = match existing {
-        Some((folder, canonical)) => {
-            canonical.join(absolute.strip_prefix(folder).unwrap_or(Path::new("")))
-        }
-        None => absolute,
-    };
-    if full.starts_with(student) {
-        return Err(format!(
-            "--out {} lies in the student's folder, which is only read: name another one",
-            out.display()
-        ));
-    }
-    Ok(full)
-}
-
-/// The part of the student's file above the marker line.
-fn read_answer(path: &Path) -> Result<String, (Status, String)> {
-    let unreadable = |why: String| (Status::Unreadable, why);
-    match fs::metadata(path) {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-            return Err((Status::Missing, "the file is not there".to_owned()));
-        }
-        Err(error) => return Err(unreadable(format!("the file cannot be read: {error}"))),
-        Ok(metadata) if !metadata.is_file() => {
-            return Err(unreadable("this is not a file".to_owned()));
-        }
-        Ok(metadata) if metadata.len() > LARGEST_FILE => {
-            return Err(unreadable(format!(
-                "the file has {} bytes, at most {LARGEST_FILE} are read",
-                metadata.len()
-            )));
-        }
-        Ok(_) => {}
-    }
-    let text = fs::read_to_string(path)
-        .map_err(|error| unreadable(format!("the file cannot be read: {error}")))?;
-    let (above, _) = split(&text).ok_or_else(|| {
-        unreadable(format!(
-            "the line `{MARKER}` is missing, so the answer cannot be told from the tests"
-        ))
-    })?;
-    Ok(above.to_owned())
-}
-
-fn without_a_run(
-    exercise: &Exercise,
+/// The tests of one exercise.
+struct Tests {
+    exercise: Exercise,
     names: Vec<String>,
-    status: Status,
-    why: &str,
-) -> ExerciseResult {
-    let error = |name| Test {
-        name,
+    callable: String,
+    /// How many lines stand between the marker line and the tests.
+    lines_before: usize,
+}
+
+impl Tests {
+    fn name(&self) -> &str {
+        &self.exercise.name
+    }
+
+    /// The file of the answer with forward slashes, as every system takes them.
+    fn answer_file(&self) -> String {
+        format!("exercises/{}/{}.rs", self.exercise.topic, self.name())
+    }
+
+    fn tests_file(&self) -> String {
+        format!("exercises/{}/{}", self.exercise.topic, self.tests_beside())
+    }
+
+    /// The same from the file of the answer.
+    fn tests_beside(&self) -> String {
+        format!("tests/{}.rs", self.name())
+    }
+
+    /// What the compiler says of the answer, as if the tests stood in its file.
+    fn told(&self, complaints: Vec<Complaint>) -> String {
+        let in_tests = complaints
+            .first()
+            .is_some_and(|first| first.file == self.tests_file());
+        let said: String = complaints.into_iter().map(|c| c.text).collect();
+        let mut said = without_tests(&said, self.name(), &self.tests_beside());
+        // On Windows the compiler joins the folder of the tests by a backslash.
+        let tests = self.tests_file();
+        for tests in [tests.replace("/tests/", "\\tests/"), tests] {
+            said = said.replace(&tests, &self.answer_file());
+        }
+        if in_tests {
+            said.insert_str(
+                0,
+                "the tests want the names and parameters as the exercise gives them\n",
+            );
+        }
+        first_lines(&said)
+    }
+
+    /// Each test as the command line names it, and its path from the module that holds the answer.
+    fn paths(&self, module: &str) -> Vec<(String, String)> {
+        let name = self.name();
+        let path = |test: &String| {
+            (
+                format!("{name}::{test}"),
+                format!("{module}::{name}::{test}"),
+            )
+        };
+        self.names.iter().map(path).collect()
+    }
+}
+
+impl Course {
+    /// Reads the tests and compiles what they use.
+    pub fn prepare(set: &Set) -> Result<Self, String> {
+        let mut exercises = Vec::new();
+        for exercise in &set.exercises {
+            let pristine = read_text(&set.root.join(exercise.path()))?;
+            let (_, below) = split(&pristine).ok_or_else(|| {
+                format!(
+                    "{}: the line `{MARKER}` is missing",
+                    exercise.path().display()
+                )
+            })?;
+            exercises.push(Tests {
+                exercise: exercise.clone(),
+                names: test_names(below),
+                callable: harness::callable(below),
+                lines_before: below.matches('\n').count()
+                    - test_module(below).matches('\n').count(),
+            });
+        }
+
+        let scratch = Scratch::new()?;
+        crate_dir::prepare(scratch.path(), set, "")?;
+        crate_dir::write(&scratch.path().join("src").join("lib.rs"), "")?;
+        let target = scratch.path().join("target");
+        let built = build::cargo(scratch.path(), &target, &["build"], &[])?;
+        if !built.succeeded {
+            return Err(format!(
+                "cargo could not build what the tests use:\n{}",
+                built.cargo_said
+            ));
+        }
+        let used = set.dependencies()?;
+        let externs = built
+            .libraries
+            .into_iter()
+            .filter(|(name, _)| used.contains(name));
+        Ok(Self {
+            exercises,
+            compiler: Compiler::new(externs.collect(), target.join("debug").join("deps")),
+            _scratch: scratch,
+        })
+    }
+
+    /// The names of all tests, for who wants to know whether they have changed.
+    pub fn tests(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.exercises
+            .iter()
+            .map(|tests| (tests.name(), tests.callable.as_str()))
+    }
+
+    /// Grades a student's answers in the empty folder `work`. What failing tests drew lies in its `pictures` then.
+    pub fn grade(&self, answers: &Answers, limit: Duration, work: &Path) -> Result<Report, String> {
+        let compiled = self.compile(answers, work)?;
+        let mut results = Vec::new();
+        for tests in &self.exercises {
+            results.push(match answers.files.get(tests.name()) {
+                None => without_a_run(tests, Status::Missing, "the file is not there"),
+                Some(Err((status, why))) => without_a_run(tests, *status, why),
+                Some(Ok(_)) => match compiled.get(tests.name()) {
+                    Some(Ok(program)) => run_tests(tests, &work.join(program), work, limit)?,
+                    Some(Err(why)) => without_a_run(tests, Status::DoesNotCompile, why),
+                    None => return Err(format!("nothing was compiled of {}", tests.name())),
+                },
+            });
+        }
+        Ok(Report {
+            student: answers.student.clone(),
+            time_limit: limit,
+            results,
+        })
+    }
+
+    /// By exercise the program that holds its tests, or what the compiler says.
+    ///
+    /// All answers are modules of one program. Those that do not compile are taken out and the rest is built again; each
+    /// of them is then built alone, as the whole program that it was in the student's folder.
+    fn compile(
+        &self,
+        answers: &Answers,
+        work: &Path,
+    ) -> Result<BTreeMap<String, Result<String, String>>, String> {
+        let mut together = Vec::new();
+        let mut alone = Vec::new();
+        for tests in &self.exercises {
+            let Some(Ok(answer)) = answers.files.get(tests.name()) else {
+                continue;
+            };
+            let joined = join_file(answer, tests.name(), &tests.tests_beside());
+            crate_dir::write(&work.join(tests.answer_file()), &joined)?;
+            // The lines of the tests have the numbers that they have in the student's file.
+            let above = answer.matches('\n').count() + tests.lines_before;
+            let callable = format!("{}{}", "\n".repeat(above), tests.callable);
+            crate_dir::write(&work.join(tests.tests_file()), &callable)?;
+            // Macros that leave their module could reach the tests of other answers.
+            if answer.contains("macro_use") {
+                alone.push(tests);
+            } else {
+                together.push(tests);
+            }
+        }
+
+        let mut compiled = BTreeMap::new();
+        while !together.is_empty() {
+            match self.compile_together(&together, work)? {
+                Ok(()) => {
+                    for tests in together.drain(..) {
+                        compiled.insert(tests.name().to_owned(), Ok(PROGRAM.to_owned()));
+                    }
+                }
+                Err(complaints) => {
+                    let files: BTreeSet<&str> =
+                        complaints.iter().map(|c| c.file.as_str()).collect();
+                    let (blamed, rest): (Vec<_>, Vec<_>) = together.iter().partition(|tests| {
+                        files.contains(tests.answer_file().as_str())
+                            || files.contains(tests.tests_file().as_str())
+                    });
+                    // A complaint that names no answer may be about any.
+                    let (blamed, rest) = if blamed.is_empty() {
+                        (rest, blamed)
+                    } else {
+                        (blamed, rest)
+                    };
+                    alone.extend(blamed);
+                    together = rest;
+                }
+            }
+        }
+        for tests in alone {
+            compiled.insert(tests.name().to_owned(), self.compile_alone(tests, work)?);
+        }
+        Ok(compiled)
+    }
+
+    fn compile_together(
+        &self,
+        together: &[&Tests],
+        work: &Path,
+    ) -> Result<Result<(), Vec<Complaint>>, String> {
+        let mut source = String::new();
+        let mut paths = Vec::new();
+        for tests in together {
+            source += &format!(
+                "#[path = \"{}\"]\nmod {};\n",
+                tests.answer_file(),
+                tests.name()
+            );
+            paths.extend(tests.paths(tests.name()));
+        }
+        source += &harness::main(&paths);
+        crate_dir::write(&work.join("together.rs"), &source)?;
+        self.compiler
+            .compile(work, "bin", "together.rs", PROGRAM, &[])
+    }
+
+    fn compile_alone(&self, tests: &Tests, work: &Path) -> Result<Result<String, String>, String> {
+        let name = tests.name();
+        let library = format!("lib{name}.rlib");
+        let source = tests.answer_file();
+        let built = self
+            .compiler
+            .compile(work, "rlib", &source, &library, &[])?;
+        if let Err(complaints) = built {
+            return Ok(Err(tests.told(complaints)));
+        }
+        let main = format!("alone_{name}.rs");
+        let program = format!("alone_{name}{}", std::env::consts::EXE_SUFFIX);
+        crate_dir::write(&work.join(&main), &harness::main(&tests.paths("answer")))?;
+        let answer = [("answer", library.as_str())];
+        match self
+            .compiler
+            .compile(work, "bin", &main, &program, &answer)?
+        {
+            Ok(()) => Ok(Ok(program)),
+            Err(complaints) => Ok(Err(tests.told(complaints))),
+        }
+    }
+}
+
+/// The program that holds all answers which compile side by side.
+const PROGRAM: &str = if cfg!(windows) {
+    "together.exe"
+} else {
+    "together"
+};
+
+fn first_lines(text: &str) -> String {
+    let mut lines: Vec<&str> = text.lines().take(COMPILER_LINES).collect();
+    let all = text.lines().count();
+    let more = format!("… and {} lines more", all.saturating_sub(COMPILER_LINES));
+    if all > COMPILER_LINES {
+        lines.push(&more);
+    }
+    lines.join("\n")
+}
+
+fn without_a_run(tests: &Tests, status: Status, why: &str) -> ExerciseResult {
+    let error = |name: &String| Test {
+        name: name.clone(),
         verdict: Verdict::Error(why.to_owned()),
         time: Duration::ZERO,
     };
     ExerciseResult {
-        name: exercise.name.clone(),
-        topic: exercise.topic.clone(),
+        name: tests.name().to_owned(),
+        topic: tests.exercise.topic.clone(),
         status,
-        tests: names.into_iter().map(error).collect(),
+        tests: tests.names.iter().map(error).collect(),
     }
 }
 
-fn run_or_complain(
-    exercise: &Exercise,
-    names: Vec<String>,
-    built: &Built,
-    dir: &Path,
+/// Every test has a process of its own, so that one that loops or overflows the stack spoils no other. All of an
+/// exercise run side by side: the time limit is waited for once.
+fn run_tests(
+    tests: &Tests,
+    program: &Path,
+    work: &Path,
     limit: Duration,
 ) -> Result<ExerciseResult, String> {
-    let Some(program) = built.programs.get(&exercise.name) else {
-        let complaints = built
-            .complaints
-            .iter()
-            .filter(|complaint| complaint.target == exercise.name);
-        let text: Vec<&str> = complaints
-            .map(|complaint| complaint.text.as_str())
-            .collect();
-        // Without a complaint about this file the fault is not the student's.
-        if text.is_empty() {
-            return Err(format!(
-                "cargo could not build {}:\n{}",
-                exercise.name, built.cargo_said
-            ));
-        }
-        return Ok(without_a_run(
-            exercise,
-            names,
-            Status::DoesNotCompile,
-            &text.concat(),
-        ));
-    };
-
-    // Every test has a process of its own, so that one that loops or overflows the stack spoils no other.
-    let mut running = Vec::new();
-    for name in names {
-        let one = format!("{}::{name}", exercise.name);
-        running.push((
-            name,
-            run::start(program, &["--exact", &one, "--nocapture"], dir)?,
-        ));
+    let (mut running, mut tokens) = (Vec::new(), Vec::new());
+    // When we are gone, a test that loops ends by itself.
+    let alone = (limit.as_secs() + ALONE.as_secs()).to_string();
+    for name in &tests.names {
+        let token = harness::token();
+        let one = format!("{}::{name}", tests.name());
+        running.push(run::start(
+            program,
+            &[&one, &alone],
+            work,
+            &token,
+            Some(MEMORY),
+        )?);
+        tokens.push(token);
     }
-    let mut tests = Vec::new();
-    for (name, running) in running {
-        let ended = running.wait(limit)?;
-        tests.push(Test {
-            name,
+    let mut results = Vec::new();
+    let ended = run::wait_all(running, limit)?;
+    for ((name, ended), token) in tests.names.iter().zip(ended).zip(tokens) {
+        results.push(Test {
+            name: name.clone(),
             time: ended.time,
-            verdict: verdict(&ended, limit),
+            verdict: verdict(&ended, &token, limit),
         });
     }
-    let status = if tests.iter().all(|test| test.verdict == Verdict::Passed) {
+    let status = if results.iter().all(|test| test.verdict == Verdict::Passed) {
         Status::Solved
-    } else if tests
+    } else if results
         .iter()
         .any(|test| matches!(test.verdict, Verdict::Stopped(_)))
     {
@@ -246,27 +345,43 @@ fn run_or_complain(
         Status::Failed
     };
     Ok(ExerciseResult {
-        name: exercise.name.clone(),
-        topic: exercise.topic.clone(),
+        name: tests.name().to_owned(),
+        topic: tests.exercise.topic.clone(),
         status,
-        tests,
+        tests: results,
     })
 }
 
-fn verdict(ended: &run::Ended, limit: Duration) -> Verdict {
-    match ended.status {
-        None => Verdict::Stopped(format!(
+fn verdict(ended: &run::Ended, token: &str, limit: Duration) -> Verdict {
+    let Some(status) = ended.status else {
+        return Verdict::Stopped(format!(
             "stopped after {} s: does a loop never end?",
             limit.as_secs_f64()
-        )),
-        Some(status) if status.success() && libtest::one_passed(&ended.stdout) => Verdict::Passed,
-        Some(status) => {
-            Verdict::Failed(libtest::panic_message(&ended.stderr).unwrap_or_else(|| {
-                format!(
-                    "the program ended before its test did ({status})\n{}",
-                    ended.stderr.trim()
-                )
-            }))
-        }
+        ));
+    };
+    let said = ended.stderr.trim();
+    if status.success() && ended.stdout.contains(token) {
+        return if ended.left_running {
+            Verdict::Failed(
+                "the test passed, but a program that it had started still ran: an answer starts no other program"
+                    .to_owned(),
+            )
+        } else {
+            Verdict::Passed
+        };
     }
+    Verdict::Failed(if said.contains("memory allocation of ") {
+        format!(
+            "more memory was asked for than the {} GiB of a test: does a loop collect without end?",
+            MEMORY >> 30
+        )
+    } else if said.contains("has overflowed its stack") {
+        "the stack overflowed: does a function call itself without end?".to_owned()
+    } else if let Some(message) = libtest::panic_message(said) {
+        message
+    } else {
+        format!("the program ended before its test did ({status}): an answer returns, it does not end the program\n{said}")
+            .trim_end()
+            .to_owned()
+    })
 }

@@ -7,9 +7,64 @@ use crate::exercise_file::test_module;
 /// The module of the tests of `below`, then `answer`. The answer's leading inner attributes stay first, where Rust
 /// wants them.
 pub fn join(answer: &str, below: &str) -> String {
-    let answer = answer.strip_prefix('\u{feff}').unwrap_or(answer);
-    let (leading, rest) = answer.split_at(inner_attributes(answer));
+    let (leading, rest) = parts(answer);
     format!("{leading}\n{}\n{rest}", test_module(below))
+}
+
+/// The same with the tests in a file of their own, so that the lines of the answer keep their numbers.
+pub fn join_file(answer: &str, name: &str, tests: &str) -> String {
+    let (leading, rest) = parts(answer);
+    format!("{leading}{}{rest}", tests_line(name, tests))
+}
+
+/// What `join_file` puts in.
+fn tests_line(name: &str, tests: &str) -> String {
+    format!("#[path = \"{tests}\"] pub mod {name}; ")
+}
+
+/// What the compiler said of a file made by `join_file`, as if the tests were not there.
+pub fn without_tests(said: &str, name: &str, tests: &str) -> String {
+    let line = tests_line(name, tests);
+    // The compiler shows lines as `NUMBER | TEXT`, marks below them as ` | MARKS`, and places as `FILE:NUMBER:COLUMN`.
+    let shown = said.lines().find(|one| one.contains(&line));
+    let number = shown
+        .and_then(|one| one.split_once('|'))
+        .map_or("", |(number, _)| number.trim());
+    let place = format!("/{name}.rs:{number}:");
+    let (mut text, mut shift) = (String::new(), 0);
+    for one in said.split_inclusive('\n') {
+        let marks = one
+            .split_once("| ")
+            .filter(|(gutter, _)| shift > 0 && gutter.trim().is_empty());
+        if let Some((before, after)) = one.split_once(&line) {
+            shift = line.len();
+            text += before;
+            text += after;
+        } else if let Some((gutter, marks)) = marks {
+            let spaces = marks.len() - marks.trim_start_matches(' ').len();
+            text += gutter;
+            text += "| ";
+            text += marks.get(shift.min(spaces)..).unwrap_or_default();
+        } else {
+            shift = 0;
+            text += &match one.split_once(&place) {
+                Some((before, column)) if shown.is_some() => {
+                    let column = column.trim_end().parse().unwrap_or(0_usize);
+                    format!(
+                        "{before}{place}{}\n",
+                        column.saturating_sub(line.len()).max(1)
+                    )
+                }
+                _ => one.to_owned(),
+            };
+        }
+    }
+    text
+}
+
+fn parts(answer: &str) -> (&str, &str) {
+    let answer = answer.strip_prefix('\u{feff}').unwrap_or(answer);
+    answer.split_at(inner_attributes(answer))
 }
 
 /// How far the inner attributes `#![…]` and inner comments `//!` reach that begin a text, with what stands between.
@@ -135,6 +190,24 @@ mod tests {
                 below
             ),
             "#![allow(x)]\n#[cfg(test)]\nmod a1 {\n    use super::f;\n}\n\n\nmacro_rules! assert { () => {} }\n"
+        );
+    }
+
+    #[test]
+    fn the_compiler_is_quoted_without_the_line_of_the_tests() {
+        let line = "#[path = \"tests/a1.rs\"] pub mod a1; ";
+        let column = line.len() + 5;
+        let said = format!(
+            "error: no\n --> x/a1.rs:1:{column}\n  |\n1 | {line}use b;\n  | {}^ here\n  = note: |  kept\n --> x/a1.rs:2:7\n",
+            " ".repeat(column - 1)
+        );
+        assert_eq!(
+            without_tests(&said, "a1", "tests/a1.rs"),
+            "error: no\n --> x/a1.rs:1:5\n  |\n1 | use b;\n  |     ^ here\n  = note: |  kept\n --> x/a1.rs:2:7\n"
+        );
+        assert_eq!(
+            without_tests("error: x/a1.rs:1:9\n", "a1", "tests/a1.rs"),
+            "error: x/a1.rs:1:9\n"
         );
     }
 }

@@ -59,7 +59,7 @@ pub fn prove(set: &Set) -> Result<bool, String> {
     // One run of all tests.
     let mut outcomes = BTreeMap::new();
     for program in tests.programs.values() {
-        let ended = run::start(program, &[], &dir)?.wait(TIME_LIMIT)?;
+        let ended = run::start(program, &[], &dir, "", None)?.wait(TIME_LIMIT)?;
         outcomes.append(&mut libtest::outcomes(&ended.stdout));
         if ended.status.is_none() {
             problems.push(format!(

@@ -54,7 +54,7 @@ pub enum Verdict {
 }
 
 /// An exercise in one word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Status {
     /// All tests pass.
     Solved,
@@ -66,8 +66,10 @@ pub enum Status {
     DoesNotCompile,
     /// There is no file.
     Missing,
-    /// The file is not text, too large, or without its marker line.
+    /// The file is not text, or too large.
     Unreadable,
+    /// There is a link in place of the file.
+    Link,
 }
 
 impl Status {
@@ -79,6 +81,7 @@ impl Status {
             Self::DoesNotCompile => "does not compile",
             Self::Missing => "missing",
             Self::Unreadable => "unreadable",
+            Self::Link => "link",
         }
     }
 }
@@ -123,8 +126,8 @@ impl Report {
             .filter(move |result| result.topic == topic)
     }
 
-    /// A summary for every topic.
-    pub fn json(&self) -> String {
+    /// A summary for every topic, and the fingerprint of what was graded.
+    pub fn json(&self, fingerprint: u64) -> String {
         let topic = |topic: &str| {
             let [exercises, solved, tests, passed] = counts(self.of_topic(topic));
             let results = self.of_topic(topic).map(|result| {
@@ -147,6 +150,7 @@ impl Report {
         let [exercises, solved, tests, passed] = counts(self.results.iter());
         let summary = json!({
             "student": self.student,
+            "fingerprint": format!("{fingerprint:016x}"),
             "time_limit_seconds": self.time_limit.as_secs_f64(),
             "exercises": exercises,
             "exercises_solved": solved,
@@ -203,6 +207,46 @@ impl Report {
              failures=\"{failures}\" errors=\"{errors}\">\n{cases}</testsuites>\n",
             escape(&self.student)
         )
+    }
+
+    /// What the student is told: of each exercise how it stands, and what its first failing test says.
+    pub fn feedback(&self) -> String {
+        let [exercises, solved, tests, passed] = counts(self.results.iter());
+        let mut text = format!(
+            "{}\n\n{solved} of {exercises} exercises solved, {passed} of {tests} tests passed\n",
+            self.student
+        );
+        for result in &self.results {
+            // Writing to a String cannot fail.
+            let _ = write!(
+                text,
+                "\n{}: {}, {} of {} tests\n",
+                result.name,
+                result.status.text(),
+                result.passed(),
+                result.tests.len()
+            );
+            let failing = result.tests.iter().find_map(|test| match &test.verdict {
+                Verdict::Passed => None,
+                Verdict::Failed(why) | Verdict::Stopped(why) => {
+                    Some((format!("{}: ", test.name), why))
+                }
+                // The same for all its tests.
+                Verdict::Error(why) => Some((String::new(), why)),
+            });
+            if let Some((test, why)) = failing {
+                for line in format!("{test}{why}").lines() {
+                    let _ = writeln!(text, "    {line}");
+                }
+            }
+        }
+        text
+    }
+
+    /// How many exercises are solved, of how many.
+    pub fn solved(&self) -> [usize; 2] {
+        let [exercises, solved, ..] = counts(self.results.iter());
+        [solved, exercises]
     }
 
     /// A line for every exercise and a sum for every topic.
@@ -333,13 +377,26 @@ mod tests {
 
     #[test]
     fn json_has_a_summary_for_every_topic() {
-        let summary: Value = serde_json::from_str(&report().json()).unwrap();
+        let summary: Value = serde_json::from_str(&report().json(7)).unwrap();
         assert_eq!(summary["tests_passed"], 2);
         assert_eq!(summary["topics"][0]["topic"], "a");
         assert_eq!(summary["topics"][0]["exercises"], 2);
         assert_eq!(summary["topics"][0]["exercises_solved"], 1);
         assert_eq!(summary["topics"][1]["tests_passed"], 1);
         assert_eq!(summary["topics"][1]["results"][0]["status"], "time limit");
+    }
+
+    #[test]
+    fn feedback_has_the_first_failing_test() {
+        let text = report().feedback();
+        assert!(text.starts_with("Ann & Bob\n\n1 of 3 exercises solved, 2 of 5 tests passed\n"));
+        assert!(text.contains(
+            "\na1: solved, 1 of 1 tests\n\nb1: time limit, 1 of 3 tests\n    x: 1 < 2\n    \"no\"\n"
+        ));
+        assert!(
+            text.ends_with("a2: missing, 0 of 1 tests\n    not there\n"),
+            "{text}"
+        );
     }
 
     #[test]

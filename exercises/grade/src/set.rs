@@ -76,6 +76,17 @@ impl Set {
         Ok(paths.map(PathBuf::from).collect())
     }
 
+    /// The names of the manifest's dependencies, as code names them.
+    pub fn dependencies(&self) -> Result<Vec<String>, String> {
+        let manifest: toml::Table = self
+            .manifest
+            .parse()
+            .map_err(|error| format!("Cargo.toml: {error}"))?;
+        let dependencies = manifest.get("dependencies").and_then(toml::Value::as_table);
+        let names = dependencies.into_iter().flatten();
+        Ok(names.map(|(name, _)| name.replace('-', "_")).collect())
+    }
+
     /// The `bin` list of Cargo.toml, as rustlings writes it.
     pub fn bins(&self) -> String {
         let mut list = "\n".to_owned();

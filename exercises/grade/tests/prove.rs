@@ -17,7 +17,7 @@ fn double(x: u32) -> u32 {
 fn main() {}
 
 #[cfg(test)]
-mod tests {
+mod double {
     use super::double;
 
     #[test]
@@ -64,6 +64,12 @@ dead_code = \"allow\"
 [workspace]
 ";
 
+/// The file of a solution: the answer, and the entry point of a program.
+fn solution(body: &str) -> String {
+    let (above, _) = ANSWER.split_once("// ---- tests").unwrap();
+    above.replace("BODY", body) + "fn main() {}\n"
+}
+
 struct Set(PathBuf);
 
 impl Set {
@@ -81,7 +87,9 @@ impl Set {
             "exercises/sums/double.rs",
             &ANSWER.replace("BODY", "// TODO: once more.\n    todo!()"),
         );
-        set.write("solutions/sums/double.rs", &ANSWER.replace("BODY", "2 * x"));
+        set.write("solutions/sums/double.rs", &solution("2 * x"));
+        let right = "// right: by a sum\nfn double(x: u32) -> u32 {\n    x + x\n}\n";
+        set.write("right/double/sum.rs", right);
         for (file, phrase, body) in [
             ("square", "this is the square", "x * x"),
             ("same", "nothing was doubled", "x"),
@@ -133,7 +141,7 @@ fn whole_set_and_wrong_answers() {
         String::from_utf8_lossy(&output.stderr)
     );
     assert!(
-        said.contains("stub fails 3, solution passes 3, wrong answers rejected 2"),
+        said.contains("stub fails 3, solution passes 3, answers rejected 2, accepted 1"),
         "{said}"
     );
     assert!(said.contains("exercises proved: 1,"), "{said}");
@@ -141,12 +149,12 @@ fn whole_set_and_wrong_answers() {
     for (file, text, sentence) in [
         (
             "solutions/sums/double.rs",
-            ANSWER.replace("BODY", "3 * x"),
+            solution("3 * x"),
             "the solution fails slide",
         ),
         (
             "solutions/sums/double.rs",
-            ANSWER.replace("BODY", "return 2 * x;"),
+            solution("return 2 * x;"),
             "is not clippy-clean",
         ),
         (
@@ -159,6 +167,11 @@ fn whole_set_and_wrong_answers() {
             "// rejected by any: nothing was doubled\nfn double(x: u32) -> u32 {\n    2 * x\n}\n"
                 .to_owned(),
             "wrong answer same: any does not reject it",
+        ),
+        (
+            "right/double/sum.rs",
+            "// right: no\nfn double(x: u32) -> u32 {\n    x + 1\n}\n".to_owned(),
+            "double, right answer sum: any rejects it",
         ),
     ] {
         let whole = fs::read_to_string(set.path(file)).unwrap();
@@ -220,9 +233,9 @@ fn files_out_of_step() {
         ),
         (
             "solutions/sums/double.rs",
-            "3..9",
-            "3..4",
-            "the tests of the solution differ",
+            "fn main() {}",
+            "// ---- tests: leave everything below as it is ----\nfn main() {}",
+            "the solution has a marker line",
         ),
         (
             "solutions/sums/double.rs",
@@ -241,6 +254,12 @@ fn files_out_of_step() {
             "rejected",
             "refused",
             "the first line of wrong answer same is not",
+        ),
+        (
+            "right/double/sum.rs",
+            "right",
+            "correct",
+            "the first line of right answer sum is not",
         ),
         (
             "wrong/double/same.rs",
@@ -273,11 +292,13 @@ fn files_out_of_step() {
 
     set.write("exercises/sums/stray.rs", "");
     set.write("wrong/gone/stray.rs", "");
+    set.write("right/gone/stray.rs", "");
     fs::remove_file(set.path("wrong/double/same.rs")).unwrap();
     let said = String::from_utf8_lossy(&set.prove().stderr).replace('\\', "/");
     for sentence in [
         "exercises/sums/stray.rs belongs to no exercise",
         "wrong/gone/stray.rs belongs to no exercise",
+        "right/gone/stray.rs belongs to no exercise",
         "wrong answers in wrong/: 1,",
     ] {
         assert!(said.contains(sentence), "{said}");

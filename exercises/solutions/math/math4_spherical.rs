@@ -17,6 +17,8 @@ struct Spherical {
 /// x = r cos φ sin θ     y = r sin φ sin θ     z = r cos θ
 /// ```
 ///
+/// Each coordinate is right to 64 ε r, ε being `f64::EPSILON`.
+///
 /// Olomouc, Prostorové úhly.
 fn to_cartesian(s: Spherical) -> DVec3 {
     let ring = s.r * s.theta.sin();
@@ -33,8 +35,15 @@ fn to_cartesian(s: Spherical) -> DVec3 {
 /// origin all three are 0. The slide has tan φ = x / y (erratum E6) and calls θ the elevation (erratum E30); both
 /// contradict its own x, y and z.
 ///
+/// A coordinate −0 is 0, so (−1, −0, 0) has φ = π, as (−1, 0, 0) has.
+///
+/// r is right to 64 ε r, θ and φ to 64 ε, wherever the point lies. Beside the z axis z / r rounds to 1 and has lost θ,
+/// so no arc cosine of it can keep that bound; the quotients above can. r may be from 10⁻¹⁵⁰ to 10¹⁵⁰.
+///
 /// Olomouc, Prostorové úhly.
 fn to_spherical(p: DVec3) -> Spherical {
+    // −0 + 0 is 0. To atan2 the sign of a zero is a side: it would answer −π for y = −0 and π for z = −0.
+    let p = p + DVec3::ZERO;
     let ring = p.x.hypot(p.y);
     Spherical {
         r: p.length(),

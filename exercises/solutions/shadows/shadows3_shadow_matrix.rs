@@ -12,7 +12,8 @@ use glam::{DMat4, DVec4};
 /// L_w = 0 the direction towards a light at infinity. Vectors are columns.
 ///
 /// π and −π are the same plane: it is turned so that π·L > 0, and then w > 0 for every true shadow, so that clipping
-/// keeps it. `None` where π·L = 0: the light lies in the plane or shines along it.
+/// keeps it. `None` where π·L = 0 as computed, without a tolerance: the light lies in the plane or shines along it.
+/// Whether the plane is made unit first is left to you: that changes M by a factor and P by roundings.
 ///
 /// Bologna, Ombre su piani in WebGL, prints the transposed matrix (erratum E1). Olomouc, Projekce na libovolnou
 /// plochu, gives that one for rows, with a misprint (erratum E2).

@@ -14,7 +14,8 @@ use glam::{DVec3, DVec4};
 /// - the plane lies between the light and the vertex;
 /// - the light lies in the plane or shines along it, π·L = 0: such a plane is unlit.
 ///
-/// A vertex on the plane is its own shadow. `plane` is π = (a, b, c, d), and (−a, −b, −c, −d) is the same plane.
+/// A vertex on the plane is its own shadow. All signs are taken as they are computed, without a tolerance; whether the
+/// plane is made unit first is left to you, P then differs by roundings. `plane` is π = (a, b, c, d), and (−a, −b, −c, −d) is the same plane.
 /// `light` is homogeneous: L_w = 1 a place, L_w = 0 the direction towards a light at infinity.
 ///
 /// Olomouc, Nevýhody (projection methods).

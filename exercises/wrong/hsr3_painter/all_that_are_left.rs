@@ -8,6 +8,7 @@ struct Stick {
 }
 
 fn hides(front: &Stick, back: &Stick) -> bool {
+    assess::counted("hides");
     let (u, v) = (front.b - front.a, back.b - back.a);
     let across = u.truncate().perp_dot(v.truncate());
     let between = (back.a - front.a).truncate();

@@ -1,4 +1,4 @@
-// rejected by any_triangle: the middle component has the wrong sign
+// rejected by any_triangle: the sign of the middle component is turned round
 use glam::DVec3;
 
 fn triangle_normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {

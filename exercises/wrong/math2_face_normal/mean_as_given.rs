@@ -2,9 +2,9 @@
 use glam::DVec3;
 
 fn face_normal(normals: [DVec3; 3]) -> Option<DVec3> {
-    let [first, second, third] = normals;
-    if first == DVec3::ZERO || second == DVec3::ZERO || third == DVec3::ZERO {
+    let [a, b, c] = normals;
+    if a == DVec3::ZERO || b == DVec3::ZERO || c == DVec3::ZERO {
         return None;
     }
-    (first + second + third).try_normalize()
+    (a + b + c).try_normalize()
 }

@@ -2,7 +2,6 @@
 use glam::DVec3;
 
 fn face_normal(normals: [DVec3; 3]) -> Option<DVec3> {
-    let [first, second, third] = normals;
-    let sum = first.try_normalize()? + second.try_normalize()? + third.try_normalize()?;
-    Some(sum / 3.0)
+    let [a, b, c] = normals;
+    Some((a.try_normalize()? + b.try_normalize()? + c.try_normalize()?) / 3.0)
 }

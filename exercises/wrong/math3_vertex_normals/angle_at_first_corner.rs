@@ -1,4 +1,4 @@
-// rejected by any_order_of_corners: the angle is the one at the vertex
+// rejected by any_order_of_corners: the angle is the one at the vertex, wherever that is listed
 use glam::DVec3;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,10 +16,10 @@ fn vertex_normal(
 ) -> Option<DVec3> {
     let mut sum = DVec3::ZERO;
     for triangle in triangles {
-        if !triangle.contains(&vertex) {
-            continue;
-        }
-        let [a, b, c] = triangle.map(|corner| positions[corner]);
+        let at = triangle.iter().position(|&corner| corner == vertex);
+        let Some(at) = at else { continue };
+        // From the vertex itself the corners run in the same order.
+        let [a, b, c] = triangle.map(|i| positions[i]);
         let (ab, ac) = (b - a, c - a);
         let cross = ab.cross(ac);
         let Some(normal) = cross.try_normalize() else {

@@ -1,4 +1,4 @@
-// rejected by one_larger_triangle: Plain: the larger triangles count more
+// rejected by weights: Plain: of two right angles, one with four times the area
 use glam::DVec3;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +18,7 @@ fn vertex_normal(
     for triangle in triangles {
         let at = triangle.iter().position(|&corner| corner == vertex);
         let Some(at) = at else { continue };
+        // From the vertex itself the corners run in the same order.
         let [a, b, c] = [0, 1, 2].map(|i| positions[triangle[(at + i) % 3]]);
         let (ab, ac) = (b - a, c - a);
         let cross = ab.cross(ac);
@@ -25,7 +26,8 @@ fn vertex_normal(
             continue;
         };
         sum += match weighting {
-            Weighting::Plain | Weighting::Area => cross / 2.0,
+            Weighting::Plain => cross,
+            Weighting::Area => cross / 2.0,
             Weighting::Angle => ab.angle_between(ac) * normal,
         };
     }

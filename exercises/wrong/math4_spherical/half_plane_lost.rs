@@ -14,6 +14,7 @@ fn to_cartesian(s: Spherical) -> DVec3 {
 }
 
 fn to_spherical(p: DVec3) -> Spherical {
+    let p = p + DVec3::ZERO;
     let ring = p.x.hypot(p.y);
     Spherical {
         r: p.length(),

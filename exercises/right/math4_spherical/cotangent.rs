@@ -1,0 +1,28 @@
+// right: θ by the arc tangent of the inverse quotient
+use glam::DVec3;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Spherical {
+    r: f64,
+    theta: f64,
+    phi: f64,
+}
+
+fn to_cartesian(s: Spherical) -> DVec3 {
+    let ring = s.r * s.theta.sin();
+    DVec3::new(ring * s.phi.cos(), ring * s.phi.sin(), s.r * s.theta.cos())
+}
+
+fn to_spherical(p: DVec3) -> Spherical {
+    let p = p + DVec3::ZERO;
+    let ring = p.x.hypot(p.y);
+    Spherical {
+        r: p.length(),
+        theta: if p == DVec3::ZERO {
+            0.0
+        } else {
+            std::f64::consts::FRAC_PI_2 - (p.z / ring).atan()
+        },
+        phi: p.y.atan2(p.x),
+    }
+}

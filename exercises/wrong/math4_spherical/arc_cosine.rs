@@ -1,0 +1,28 @@
+// rejected by near_the_pole_and_far_away: z / r is nearly ±1 here
+use glam::DVec3;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Spherical {
+    r: f64,
+    theta: f64,
+    phi: f64,
+}
+
+fn to_cartesian(s: Spherical) -> DVec3 {
+    let ring = s.r * s.theta.sin();
+    DVec3::new(ring * s.phi.cos(), ring * s.phi.sin(), s.r * s.theta.cos())
+}
+
+fn to_spherical(p: DVec3) -> Spherical {
+    let p = p + DVec3::ZERO;
+    let ring = p.x.hypot(p.y);
+    Spherical {
+        r: p.length(),
+        theta: if p == DVec3::ZERO {
+            0.0
+        } else {
+            (p.z / p.length()).clamp(-1.0, 1.0).acos()
+        },
+        phi: p.y.atan2(p.x),
+    }
+}

@@ -1,0 +1,28 @@
+// rejected by every_octant: φ is right but for a whole turn
+use glam::DVec3;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Spherical {
+    r: f64,
+    theta: f64,
+    phi: f64,
+}
+
+fn to_cartesian(s: Spherical) -> DVec3 {
+    let ring = s.r * s.theta.sin();
+    DVec3::new(ring * s.phi.cos(), ring * s.phi.sin(), s.r * s.theta.cos())
+}
+
+fn to_spherical(p: DVec3) -> Spherical {
+    let p = p + DVec3::ZERO;
+    let ring = p.x.hypot(p.y);
+    Spherical {
+        r: p.length(),
+        theta: ring.atan2(p.z),
+        phi: (if p.x < 0.0 {
+            (p.y / p.x).atan() + std::f64::consts::PI
+        } else {
+            (p.y / p.x).atan()
+        }),
+    }
+}
