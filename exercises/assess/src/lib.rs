@@ -25,6 +25,4 @@ pub use segment::Segment;
 pub use shadow::{brief4, shadow_bound, shadow_plan, shadow_section};
 pub use steps::{Steps, calls_within, collect_within, counted, first_calls, within_calls};
 pub use sticks::painted_sticks;
-pub use windows::{
-    PolygonCase, SIDES, WindowCase, code_asked, codes_within, point_beside, short_point,
-};
+pub use windows::{PolygonCase, SIDES, WindowCase, point_beside, short_point};

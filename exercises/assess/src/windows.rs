@@ -3,12 +3,11 @@
 
 mod polygons;
 
-use std::cell::Cell;
 use std::fmt;
 
 use glam::{DVec2, Vec2Swizzles};
 
-use crate::{Ink, Inputs, Panel, Picture, show_number};
+use crate::{Ink, Inputs, Panel, Picture, brief_number, show_number};
 
 pub use polygons::PolygonCase;
 
@@ -21,13 +20,8 @@ pub const SIDES: [&str; 4] = ["upper", "lower", "right", "left"];
 /// A point of the plane in at most six digits a coordinate.
 #[must_use]
 pub fn short_point(p: DVec2) -> String {
-    let [x, y] = p.to_array().map(short);
+    let [x, y] = p.to_array().map(brief_number);
     format!("({x}, {y})")
-}
-
-fn short(x: f64) -> String {
-    // The decimal number of six digits that is nearest.
-    show_number(format!("{x:.5e}").parse().unwrap_or(x))
 }
 
 /// Two points one after the other.
@@ -45,36 +39,6 @@ pub fn point_beside(min: DVec2, max: DVec2, p: DVec2, yours: &str, right: &str) 
         panel
     };
     Picture::beside(panel(yours, Ink::Ideal), panel(right, Ink::Right))
-}
-
-thread_local! {
-    /// How many codes may still be asked for.
-    static CODES: Cell<Option<u32>> = const { Cell::new(None) };
-}
-
-/// Takes note that the code of a point was asked for.
-///
-/// # Panics
-///
-/// When `codes_within` allows no more.
-#[track_caller]
-pub fn code_asked() {
-    if let Some(left) = CODES.get() {
-        CODES.set(left.checked_sub(1));
-        assert!(
-            left > 0,
-            "the loop still runs after so many codes that each end could have been cut ten times: does each cut \
-             replace an end, and are the codes of the new ends what the loop asks for?",
-        );
-    }
-}
-
-/// What `run` gives, if it asks for `limit` codes at most.
-pub fn codes_within<T>(limit: u32, run: impl FnOnce() -> T) -> T {
-    CODES.set(Some(limit));
-    let got = run();
-    CODES.set(None);
-    got
 }
 
 /// A window, a segment, and what of it lies in the window.
@@ -260,8 +224,9 @@ impl WindowCase {
     /// A point in six digits, and in full where they would put it on a side.
     fn point(&self, p: DVec2) -> String {
         let coordinate = |i: usize| {
-            let text = short(p[i]);
-            let hidden = [self.min, self.max].map(|side| p[i] != side[i] && text == short(side[i]));
+            let text = brief_number(p[i]);
+            let hidden =
+                [self.min, self.max].map(|side| p[i] != side[i] && text == brief_number(side[i]));
             if hidden.contains(&true) {
                 show_number(p[i])
             } else {
@@ -482,7 +447,7 @@ impl WindowCase {
                     for kind in 0..5 {
                         let [plain, fine] = [0.3, hair]
                             .map(|hair| Self::beyond(kind, side, 10.0 * hair, scale, origin));
-                        let by = short(10.0 * hair * scale);
+                        let by = brief_number(10.0 * hair * scale);
                         all.push((plain, fine, format!("by {by} beyond the {name} side")));
                     }
                 }
@@ -688,24 +653,6 @@ mod tests {
         };
         let told = "window (0, 0) to (10, 10), segment (5, 10.00000001) to (15, 5)";
         assert_eq!(case.to_string(), told);
-    }
-
-    #[test]
-    #[should_panic(expected = "the loop still runs")]
-    fn a_loop_that_asks_for_codes_is_stopped() {
-        codes_within(3, || {
-            loop {
-                code_asked();
-            }
-        });
-    }
-
-    #[test]
-    fn codes_are_counted_only_within() {
-        codes_within(2, || [(); 2].map(|()| code_asked()));
-        for _ in 0..9 {
-            code_asked();
-        }
     }
 
     #[test]

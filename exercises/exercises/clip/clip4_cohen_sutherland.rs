@@ -12,7 +12,7 @@ struct Window {
 /// The code of clip2, given here: 1000 above, 0100 below, 0010 right, 0001 left of the window.
 fn outcode(window: Window, p: DVec2) -> u8 {
     // So that the tests can stop a loop without an end.
-    assess::code_asked();
+    assess::counted("outcode");
     let beyond = [
         p.y > window.max.y,
         p.y < window.min.y,
@@ -63,7 +63,7 @@ fn main() {}
 #[cfg(test)]
 mod clip4_cohen_sutherland {
     use super::{Window, clip};
-    use assess::{Inputs, SIDES, Steps, WindowCase, codes_within, short_point};
+    use assess::{Inputs, SIDES, Steps, WindowCase, short_point, within_calls};
     use glam::DVec2;
 
     type Ends = (DVec2, DVec2);
@@ -72,7 +72,7 @@ mod clip4_cohen_sutherland {
     const MOST_ROUNDS: usize = 5;
 
     /// In a round the codes of both ends, and a few more to choose by.
-    const MOST_CODES: u32 = 20 * MOST_ROUNDS as u32;
+    const MOST_CODES: usize = 20 * MOST_ROUNDS;
 
     fn bits(case: &WindowCase, p: DVec2) -> [bool; 4] {
         [
@@ -110,7 +110,11 @@ mod clip4_cohen_sutherland {
             steps.take("cutting");
             rounds.push((a, b));
         };
-        let got = codes_within(MOST_CODES, || clip(window, case.a, case.b, &mut round));
+        let got = within_calls(
+            MOST_CODES,
+            "Each cut replaces an end, and the codes are those of the new ends.",
+            || clip(window, case.a, case.b, &mut round),
+        );
         let _picture = case.picture(got);
         let Some(&last) = rounds.last() else {
             panic!("{case}: `round` was never called: call it first of all in every round")

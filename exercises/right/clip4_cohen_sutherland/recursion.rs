@@ -8,7 +8,7 @@ struct Window {
 }
 
 fn outcode(window: Window, p: DVec2) -> u8 {
-    assess::code_asked();
+    assess::counted("outcode");
     u8::from(p.y > window.max.y) << 3
         | u8::from(p.y < window.min.y) << 2
         | u8::from(p.x > window.max.x) << 1

@@ -4,8 +4,8 @@ use std::fmt;
 
 use glam::{DVec2, DVec3};
 
-use super::{SIDES, short, short_point};
-use crate::{Ink, Panel, Picture};
+use super::{SIDES, short_point};
+use crate::{Ink, Panel, Picture, brief_number};
 
 /// A polygon and the lines that clip it, one after another: one line, or the four sides of a window.
 #[derive(Clone, Debug)]
@@ -78,7 +78,7 @@ fn show_line(line: DVec3) -> String {
         if factor.abs() == 1.0 && !name.is_empty() {
             text += name.trim_start();
         } else {
-            text += &short(factor.abs());
+            text += &brief_number(factor.abs());
             text += name;
         }
     }
@@ -289,7 +289,7 @@ impl PolygonCase {
                                 got.is_empty(),
                                 "{case}: every vertex lies outside, by {} beyond the {name} side and more, but got {}; three \
                                  tenths beyond, nothing is kept: compare s with 0 itself, without a tolerance",
-                                short(by * scale),
+                                brief_number(by * scale),
                                 show_list(&got)
                             );
                         }
@@ -365,7 +365,7 @@ impl PolygonCase {
                 return Some(format!(
                     "{} is put, but it lies outside: s = {} < 0",
                     short_point(p),
-                    short(s(p))
+                    brief_number(s(p))
                 ));
             }
         }
@@ -516,9 +516,9 @@ impl PolygonCase {
         if (want - got_area).abs() > 1e-9 * self.largest().powi(2) {
             return Some(format!(
                 "the part in the window has the area {}, the answer {}: {}",
-                short(want.abs()),
+                brief_number(want.abs()),
                 show_list(got),
-                short(got_area)
+                brief_number(got_area)
             ));
         }
         None
