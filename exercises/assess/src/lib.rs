@@ -27,4 +27,4 @@ pub use steps::{
     Steps, calls_within, collect_within, counted, first_calls, sum, sums, watched, within_calls,
 };
 pub use sticks::painted_sticks;
-pub use windows::WindowCase;
+pub use windows::{PolygonCase, SIDES, WindowCase, point_beside, short_point};

@@ -20,7 +20,9 @@ struct Window {
 /// and likewise with the other three. First of all, is the segment parallel to the side? Then there is no t. An end
 /// that lies in the window is an end of the answer, too. The answer goes the same way as a → b, and where the segment
 /// touches the window in one point, both its ends are that point. An end on a side has the coordinate of the side
-/// itself, not a rounded one. `None` where nothing lies inside. Coordinates are finite.
+/// itself, not a rounded one; the other coordinate may be off by a few roundings. `None` where nothing lies inside,
+/// however little beyond the window the segment passes; only where that is less than the rounding of its own coordinates
+/// may it go either way. No coordinate is larger than 10¹⁵ times the window.
 ///
 /// Grafica 3, Clipping di un segmento.
 fn clip(window: Window, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {

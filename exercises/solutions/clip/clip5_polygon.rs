@@ -24,7 +24,8 @@ struct Window {
 /// ```
 ///
 /// `line` is (a, b, c). A vertex on the line is inside, and is the crossing itself: no vertex is put twice. Vertices
-/// keep their order. Fewer than three are no polygon, so the answer has none. Coordinates are finite.
+/// keep their order. Fewer than three are no polygon, so the answer has none. Coordinates and s are finite. A
+/// crossing may be off by a few roundings; which side a vertex is on is decided by its s, as it is.
 ///
 /// Grafica 3, Clipping di un poligono: divide et impera.
 fn clip_against_line(polygon: &[DVec2], line: DVec3) -> Vec<DVec2> {

@@ -1,4 +1,4 @@
-// rejected by on_the_border: the border is inside
+// rejected by on_the_border: and the border is inside, ≤
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]
@@ -8,5 +8,6 @@ struct Window {
 }
 
 fn contains(window: Window, p: DVec2) -> bool {
-    window.min.x < p.x && p.x < window.max.x && window.min.y < p.y && p.y < window.max.y
+    let Window { min, max } = window;
+    min.x < p.x && p.x < max.x && min.y < p.y && p.y < max.y
 }

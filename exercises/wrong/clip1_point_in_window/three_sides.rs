@@ -1,4 +1,4 @@
-// rejected by beyond_each_side: all four inequalities are needed
+// rejected by beyond_each_side: it lies beyond the upper side: y ≤ y_max
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]
@@ -8,5 +8,6 @@ struct Window {
 }
 
 fn contains(window: Window, p: DVec2) -> bool {
-    window.min.x <= p.x && p.x <= window.max.x && p.y <= window.max.y
+    let Window { min, max } = window;
+    min.x <= p.x && p.x <= max.x && min.y <= p.y
 }

@@ -1,4 +1,4 @@
-// rejected by beyond_each_side: without a tolerance
+// rejected by beyond_each_side: compare with the side itself, without a tolerance
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]
@@ -8,6 +8,6 @@ struct Window {
 }
 
 fn contains(window: Window, p: DVec2) -> bool {
-    let off = (window.min - p).max(p - window.max);
-    off.x <= 1e-9 && off.y <= 1e-9 && !p.is_nan() && !window.min.is_nan() && !window.max.is_nan()
+    let Window { min, max } = window;
+    min.x - 1e-6 <= p.x && p.x <= max.x + 1e-6 && min.y - 1e-6 <= p.y && p.y <= max.y + 1e-6
 }

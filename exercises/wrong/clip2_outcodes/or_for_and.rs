@@ -1,4 +1,4 @@
-// rejected by any_verdict: outside is AND ≠ 0000, not OR ≠ 0000
+// rejected by any_verdict: AND = 0000, so it is not outside
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,4 @@
-// rejected by any_segment: but beyond the side
+// rejected by known_segments: but beyond the side
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,4 @@
-// rejected by nothing_inside: AND is to be tested in every round
+// rejected by nothing_inside: test AND in every round
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]

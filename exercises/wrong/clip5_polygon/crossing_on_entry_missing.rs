@@ -1,4 +1,4 @@
-// rejected by any_line: comes in from outside
+// rejected by known_triangle: is inside: put the crossing
 use glam::{DVec2, DVec3};
 
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,4 @@
-// rejected by vertices_on_the_line: one on the line is its own crossing
+// rejected by vertices_on_the_line: a vertex on the line is its own crossing
 use glam::{DVec2, DVec3};
 
 #[derive(Clone, Copy, Debug)]

@@ -1,0 +1,40 @@
+// rejected by nine_regions: four `if`, no `else`, and each adds its bit
+use glam::DVec2;
+
+#[derive(Clone, Copy, Debug)]
+struct Window {
+    min: DVec2,
+    max: DVec2,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Verdict {
+    Inside,
+    Outside,
+    Cut,
+}
+
+fn outcode(window: Window, p: DVec2) -> u8 {
+    let Window { min, max } = window;
+    let mut code = 0;
+    if p.y > max.y {
+        code |= 8;
+    } else if p.y < min.y {
+        code |= 4;
+    } else if p.x > max.x {
+        code |= 2;
+    } else if p.x < min.x {
+        code |= 1;
+    }
+    code
+}
+
+fn verdict(a: u8, b: u8) -> Verdict {
+    if a | b == 0 {
+        Verdict::Inside
+    } else if a & b != 0 {
+        Verdict::Outside
+    } else {
+        Verdict::Cut
+    }
+}

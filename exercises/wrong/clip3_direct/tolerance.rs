@@ -1,0 +1,39 @@
+// rejected by a_hair_outside: compare with the side itself, without a tolerance
+use glam::DVec2;
+#[derive(Clone, Copy, Debug)]
+struct Window {
+    min: DVec2,
+    max: DVec2,
+}
+
+fn clip(window: Window, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
+    let d = b - a;
+    let in_x = |p: DVec2| window.min.x - 1e-3 <= p.x && p.x <= window.max.x + 1e-3;
+    let in_y = |p: DVec2| window.min.y - 1e-3 <= p.y && p.y <= window.max.y + 1e-3;
+    let mut found: Vec<(f64, DVec2)> = Vec::new();
+    for (t, p) in [(0.0, a), (1.0, b)] {
+        if in_x(p) && in_y(p) {
+            found.push((t, p));
+        }
+    }
+    for x in [window.min.x, window.max.x] {
+        if d.x != 0.0 {
+            let t = (x - a.x) / d.x;
+            let p = DVec2::new(x, a.y + t * d.y);
+            if (0.0..=1.0).contains(&t) && in_y(p) {
+                found.push((t, p));
+            }
+        }
+    }
+    for y in [window.min.y, window.max.y] {
+        if d.y != 0.0 {
+            let t = (y - a.y) / d.y;
+            let p = DVec2::new(a.x + t * d.x, y);
+            if (0.0..=1.0).contains(&t) && in_x(p) {
+                found.push((t, p));
+            }
+        }
+    }
+    found.sort_by(|p, q| p.0.total_cmp(&q.0));
+    Some((found.first()?.1, found.last()?.1))
+}
