@@ -2,6 +2,10 @@
 
 use std::fmt;
 
+use glam::DVec2;
+
+use crate::{Ink, Panel, Picture};
+
 /// Pixels plotted on a grid whose row 0 is the top one.
 #[derive(Clone, Debug)]
 pub struct Grid {
@@ -50,29 +54,73 @@ impl Grid {
             "{what}: the expected picture is not {} × {height}",
             self.width,
         );
-        let (mut missing, mut extra) = (0, 0);
-        let mut picture = String::new();
-        for (row, counts) in want.iter().zip(self.counts.chunks(self.width.max(1))) {
-            for (wanted, &count) in row.bytes().zip(counts) {
-                picture.push(match (wanted == b'#', count > 0) {
-                    (true, true) => '#',
-                    (true, false) => {
-                        missing += 1;
-                        '?'
-                    }
-                    (false, true) => {
-                        extra += 1;
-                        '!'
-                    }
-                    (false, false) => '.',
-                });
+        let is_wanted = |x: usize, y: usize| want[y].as_bytes()[x] == b'#';
+        let (mut missing, mut extra, mut first) = (0, 0, None);
+        let mut rows = vec![String::new(); height];
+        let (mut yours, mut right) = (Panel::pixels(), Panel::pixels());
+        for (x, y) in (0..height).flat_map(|y| (0..self.width).map(move |x| (x, y))) {
+            let (wanted, drawn) = (is_wanted(x, y), self.counts[y * self.width + x] > 0);
+            let (mark, ink) = match (wanted, drawn) {
+                (true, true) => ('#', Some(Ink::Right)),
+                (true, false) => ('?', Some(Ink::Missing)),
+                (false, true) => ('!', Some(Ink::Extra)),
+                (false, false) => ('.', None),
+            };
+            missing += usize::from(mark == '?');
+            extra += usize::from(mark == '!');
+            if wanted != drawn {
+                first = first.or(Some((x, y)));
             }
-            picture.push('\n');
+            rows[y].push(mark);
+            if let Some(ink) = ink {
+                yours.pixel(x as i32, y as i32, ink);
+            }
+            if wanted {
+                right.pixel(x as i32, y as i32, Ink::Right);
+            }
         }
-        assert!(
-            missing == 0 && extra == 0,
-            "{what}: {missing} missing, {extra} extra (# right, ? missing, ! extra)\n{picture}",
-        );
+        let corners = [(0, 0), (self.width, 0), (self.width, height), (0, height)];
+        let corners = corners.map(|(x, y)| DVec2::new(x as f64, y as f64));
+        yours.polygon(&corners, Ink::Faint);
+        right.polygon(&corners, Ink::Faint);
+        let _picture = Picture::beside(yours, right);
+        if let Some((x, y)) = first {
+            assert!(
+                self.outside.is_some() || self.counts.iter().any(|&count| count > 0),
+                "{what}: nothing is plotted",
+            );
+            let exchanged = |x: usize, y: usize| {
+                let is_there = y < self.width && x < height;
+                is_there && self.counts[x * self.width + y] > 0
+            };
+            let fits = (0..height)
+                .flat_map(|y| (0..self.width).map(move |x| (x, y)))
+                .all(|(x, y)| exchanged(x, y) == is_wanted(x, y));
+            assert!(
+                !fits || self.outside.is_some(),
+                "{what}: x and y are exchanged: plot takes the column first, then the row",
+            );
+            // Eight rows at most, those round the first that is wrong.
+            let from = if height <= 8 {
+                0
+            } else {
+                y.saturating_sub(3).min(height - 8)
+            };
+            let shown = rows.iter().enumerate().skip(from).take(8);
+            let picture: Vec<String> = shown
+                .map(|(y, row)| {
+                    if height <= 8 {
+                        row.clone()
+                    } else {
+                        format!("{row}  row {y}")
+                    }
+                })
+                .collect();
+            panic!(
+                "{what}: {missing} missing, {extra} extra, the first is ({x}, {y}) (# right, ? missing, ! extra)\n{}",
+                picture.join("\n"),
+            );
+        }
         if let Some((x, y)) = self.outside {
             panic!(
                 "{what}: pixel ({x}, {y}) lies outside the picture of {} × {height}",
@@ -146,7 +194,7 @@ mod tests {
 
     #[test]
     #[should_panic(
-        expected = "a step: 1 missing, 1 extra (# right, ? missing, ! extra)\n#?.\n!.#\n"
+        expected = "a step: 1 missing, 1 extra, the first is (1, 0) (# right, ? missing, ! extra)\n#?.\n!.#"
     )]
     fn a_difference_is_drawn() {
         Grid::of(3, 2, [(0, 0), (0, 1), (2, 1)]).assert_is("a step", &["##.", "..#"]);
@@ -154,12 +202,32 @@ mod tests {
 
     #[test]
     #[should_panic(
-        expected = "a step: 1 missing, 0 extra (# right, ? missing, ! extra)\n##.\n..?\n"
+        expected = "a step: 1 missing, 0 extra, the first is (2, 1) (# right, ? missing, ! extra)\n##.\n..?"
     )]
     fn a_difference_from_a_rule_is_drawn() {
         let step = Grid::of(3, 2, [(0, 0), (1, 0)]);
         step.assert_where("a step", |x, y| y == 0 && x < 2);
         step.assert_where("a step", |x, y| (x < 2) == (y == 0));
+    }
+
+    #[test]
+    #[should_panic(expected = "a bar: x and y are exchanged")]
+    fn exchanged_axes_are_named() {
+        let rows = ["#..", "#..", "#.."];
+        Grid::of(3, 3, [(0, 0), (1, 0), (2, 0)]).assert_is("a bar", &rows);
+    }
+
+    #[test]
+    #[should_panic(expected = "a bar: nothing is plotted")]
+    fn nothing_is_named() {
+        Grid::of(2, 1, []).assert_is("a bar", &["#."]);
+    }
+
+    #[test]
+    #[should_panic(expected = "the first is (0, 9) (# right, ? missing, ! extra)\n#  row 4\n")]
+    fn a_high_picture_is_cut() {
+        let all = ["#"; 12];
+        Grid::of(1, 12, (0..12).filter(|&y| y != 9).map(|y| (0, y))).assert_is("a column", &all);
     }
 
     #[test]

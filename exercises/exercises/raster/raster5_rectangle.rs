@@ -37,7 +37,7 @@ fn main() {}
 #[cfg(test)]
 mod raster5_rectangle {
     use super::{fill, outline};
-    use assess::{Grid, Inputs, calls_within};
+    use assess::{Grid, Inputs, calls_within, watched};
     use glam::IVec2;
 
     type Pixels = Vec<(i32, i32)>;
@@ -45,8 +45,10 @@ mod raster5_rectangle {
     /// The outline and the filled rectangle.
     fn both(min: IVec2, max: IVec2) -> [Pixels; 2] {
         [outline, fill].map(|draw| {
-            calls_within("plotting", 10_000, |take| {
-                draw(min, max, &mut |x, y| take((x, y)));
+            watched(&show(min, max), move || {
+                calls_within(&show(min, max), 10_000, |take| {
+                    draw(min, max, &mut |x, y| take((x, y)));
+                })
             })
         })
     }
@@ -62,6 +64,15 @@ mod raster5_rectangle {
         let side = |x, y| inside(x, y) && (x == min.x || x == max.x || y == min.y || y == max.y);
         let [lines, filled] = both(min, max);
 
+        for (name, pixels) in [("the outline", &lines), ("the filled rectangle", &filled)] {
+            assert!(!pixels.is_empty(), "{name} {what}: no pixel is plotted");
+            let of_other_axes = |&(x, y): &(i32, i32)| inside(y, x);
+            assert!(
+                pixels.iter().any(|&(x, y)| inside(x, y)) || !pixels.iter().all(of_other_axes),
+                "{name} {what}: x and y are exchanged: the first pixel is {:?}",
+                pixels[0],
+            );
+        }
         let row_or_column = min.x == max.x || min.y == max.y;
         let corner = |x, y| (x == min.x || x == max.x) && (y == min.y || y == max.y);
         let twice = lines
@@ -127,12 +138,11 @@ mod raster5_rectangle {
     #[test]
     fn any_rectangle() {
         let mut inputs = Inputs::new(27);
-        for _ in 0..100 {
+        // From small ones to large ones.
+        for largest in (2..=12).flat_map(|largest| [largest; 9]) {
             let min = IVec2::new(inputs.integer(0, 10), inputs.integer(0, 10));
-            check(
-                min,
-                min + IVec2::new(inputs.integer(1, 12), inputs.integer(1, 12)),
-            );
+            let size = IVec2::new(inputs.integer(1, largest), inputs.integer(1, largest));
+            check(min, min + size);
         }
     }
 
@@ -147,8 +157,10 @@ mod raster5_rectangle {
             for pixels in both(min, max) {
                 assert!(
                     pixels.is_empty(),
-                    "{}: min lies beyond max, so there is no pixel, but got {pixels:?}",
+                    "{}: min lies beyond max, so there is no pixel, but {} are plotted, the first is {:?}",
                     show(min, max),
+                    pixels.len(),
+                    pixels[0],
                 );
             }
         }

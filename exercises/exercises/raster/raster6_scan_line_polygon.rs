@@ -48,23 +48,35 @@ fn main() {}
 mod raster6_scan_line_polygon {
     use super::FillRule::{EvenOdd, NonZero};
     use super::{FillRule, fill};
-    use assess::{Grid, Inputs, calls_within, show_points};
+    use assess::{Grid, Inputs, calls_within, show_points, watched};
     use glam::{DVec2, IVec2};
 
     const WIDTH: i32 = 18;
     const HEIGHT: i32 = 15;
 
     fn pixels(polygon: &[DVec2], rule: FillRule) -> Vec<(i32, i32)> {
-        calls_within("plotting", 4 * (WIDTH * HEIGHT) as usize, |take| {
-            fill(polygon, rule, WIDTH, HEIGHT, &mut |x, y| {
-                assert!(
-                    (0..WIDTH).contains(&x) && (0..HEIGHT).contains(&y),
-                    "{rule:?}, {}: pixel ({x}, {y}) lies outside the picture, 0 ≤ i < {WIDTH}, 0 ≤ j < {HEIGHT}",
-                    show_points(polygon),
-                );
-                take((x, y));
-            });
-        })
+        let what = format!("{rule:?}, {}", show_points(polygon));
+        let polygon = polygon.to_vec();
+        let limit = 4 * (WIDTH * HEIGHT) as usize;
+        let name = what.clone();
+        let all = watched(&name, move || {
+            calls_within(&what, limit, |take| {
+                fill(&polygon, rule, WIDTH, HEIGHT, &mut |x, y| take((x, y)));
+            })
+        });
+        let is_in = |x: i32, y: i32| (0..WIDTH).contains(&x) && (0..HEIGHT).contains(&y);
+        if let Some((x, y)) = all.iter().find(|&&(x, y)| !is_in(x, y)) {
+            let exchanged = all.iter().all(|&(x, y)| is_in(y, x));
+            panic!(
+                "{name}: pixel ({x}, {y}) lies outside the picture, 0 ≤ i < {WIDTH}, 0 ≤ j < {HEIGHT}{}",
+                if exchanged {
+                    "; with x and y exchanged all of them lie inside: plot takes the column first, then the row"
+                } else {
+                    ": each span is to be kept within it"
+                },
+            );
+        }
+        all
     }
 
     /// Vertices in quarters of a pixel.
@@ -91,72 +103,168 @@ mod raster6_scan_line_polygon {
         Some(winding)
     }
 
-    /// Which of the points (i, j), moved by `at` quarters, are inside; `None` on an edge.
-    fn picture(quarters: &[IVec2], is_in: fn(i32) -> bool, at: IVec2) -> Vec<Option<bool>> {
-        let pixels = (0..HEIGHT).flat_map(|j| (0..WIDTH).map(move |i| IVec2::new(i, j)));
-        pixels
-            .map(|pixel| winding(quarters, 4 * pixel + at).map(is_in))
-            .collect()
+    fn is_odd(winding: i32) -> bool {
+        winding % 2 != 0
     }
 
-    /// Compares the picture; centres on an edge may be either.
-    fn check(quarters: &[IVec2], rule: FillRule) {
-        let polygon = in_pixels(quarters);
-        let what = format!("{rule:?}, {}", show_points(&polygon));
-        let pixels = pixels(&polygon, rule);
-        let lit = |i: usize| pixels.contains(&(i as i32 % WIDTH, i as i32 / WIDTH));
-        let even_odd: fn(i32) -> bool = |winding| winding % 2 != 0;
-        let non_zero: fn(i32) -> bool = |winding| winding != 0;
-        let (is_in, other, positive): (_, _, fn(i32) -> bool) = match rule {
-            EvenOdd => (even_odd, non_zero, |winding| {
-                winding > 0 && winding % 2 == 1
-            }),
-            NonZero => (non_zero, even_odd, |winding| winding > 0),
-        };
-        let centre = IVec2::splat(2);
-        let fits = |is_in, at| {
-            let picture = picture(quarters, is_in, at);
-            picture
-                .iter()
-                .enumerate()
-                .all(|(i, want)| want.is_none_or(|want| want == lit(i)))
-        };
-        if fits(is_in, centre) {
-            Grid::of(WIDTH as usize, HEIGHT as usize, pixels).assert_once(&what);
-            return;
+    fn is_not_zero(winding: i32) -> bool {
+        winding != 0
+    }
+
+    /// What an answer may do instead of what is asked for.
+    #[derive(Clone, Copy)]
+    struct Way {
+        /// Where in a pixel the point is that decides, in quarters.
+        at: IVec2,
+        is_in: fn(i32, FillRule) -> bool,
+    }
+
+    const RIGHT: Way = Way {
+        at: IVec2::splat(2),
+        is_in: |winding, rule| match rule {
+            EvenOdd => is_odd(winding),
+            NonZero => is_not_zero(winding),
+        },
+    };
+
+    impl Way {
+        /// Which pixels are lit; `None` where the point is on an edge.
+        fn picture(self, quarters: &[IVec2], rule: FillRule) -> Vec<Option<bool>> {
+            let pixels = (0..HEIGHT).flat_map(|j| (0..WIDTH).map(move |i| IVec2::new(i, j)));
+            let lit = |pixel: IVec2| {
+                let winding = winding(quarters, 4 * pixel + self.at);
+                winding.map(|winding| (self.is_in)(winding, rule))
+            };
+            pixels.map(lit).collect()
         }
-        for (x, y, at) in [(0, 0, "(i, j)"), (0, 2, "(i, j + ½)"), (2, 0, "(i + ½, j)")] {
-            assert!(
-                !fits(is_in, IVec2::new(x, y)) || pixels.is_empty(),
-                "{what}: this is the picture for centres in {at}; they lie in (i + ½, j + ½)",
+    }
+
+    /// A polygon in quarters, and what is plotted of it.
+    struct Case {
+        quarters: Vec<IVec2>,
+        rule: FillRule,
+        pixels: Vec<(i32, i32)>,
+    }
+
+    impl Case {
+        fn new(quarters: &[IVec2], rule: FillRule) -> Self {
+            Self {
+                quarters: quarters.to_vec(),
+                rule,
+                pixels: pixels(&in_pixels(quarters), rule),
+            }
+        }
+
+        fn show(&self) -> String {
+            format!(
+                "{:?}, {}",
+                self.rule,
+                show_points(&in_pixels(&self.quarters))
+            )
+        }
+
+        fn lit(&self, i: usize) -> bool {
+            self.pixels.contains(&(i as i32 % WIDTH, i as i32 / WIDTH))
+        }
+
+        /// Whether this is the picture that `way` gives; points on an edge may be either.
+        fn fits(&self, way: Way) -> bool {
+            let picture = way.picture(&self.quarters, self.rule);
+            let fits =
+                |(i, want): (usize, &Option<bool>)| want.is_none_or(|want| want == self.lit(i));
+            picture.iter().enumerate().all(fits)
+        }
+    }
+
+    /// Compares the pictures. A mistake is named where all of them are what it makes of them.
+    fn check(cases: &[Case]) {
+        let Some(wrong) = cases.iter().find(|case| !case.fits(RIGHT)) else {
+            for case in cases {
+                Grid::of(WIDTH as usize, HEIGHT as usize, case.pixels.iter().copied())
+                    .assert_once(&case.show());
+            }
+            return;
+        };
+        let what = wrong.show();
+        let wanted = RIGHT.picture(&wrong.quarters, wrong.rule);
+        let grid = Grid::of(
+            WIDTH as usize,
+            HEIGHT as usize,
+            wrong.pixels.iter().copied(),
+        );
+        let compare = |why: &str| {
+            grid.assert_where(&format!("{what}{why}"), |x, y| {
+                let i = (x + y * WIDTH) as usize;
+                wanted[i].unwrap_or_else(|| wrong.lit(i))
+            });
+        };
+        if cases.iter().all(|case| case.pixels.is_empty()) {
+            compare("");
+        }
+        let at = |x, y| Way {
+            at: IVec2::new(x, y),
+            ..RIGHT
+        };
+        let with = |is_in| Way { is_in, ..RIGHT };
+        let ways: [(Way, &str); 6] = [
+            (
+                at(0, 0),
+                "these are the pictures for centres in (i, j); they lie in (i + ½, j + ½)",
+            ),
+            (
+                at(0, 2),
+                "these are the pictures for centres in (i, j + ½); they lie in (i + ½, j + ½)",
+            ),
+            (
+                at(2, 0),
+                "these are the pictures for centres in (i + ½, j); they lie in (i + ½, j + ½)",
+            ),
+            (
+                with(|winding, _| is_odd(winding)),
+                "these are the pictures of the even-odd rule: with NonZero a winding number of 2 or −2 is inside too",
+            ),
+            (
+                with(|winding, _| is_not_zero(winding)),
+                "these are the pictures of the non-zero rule: with EvenOdd a winding number of 2 or −2 is outside",
+            ),
+            (
+                with(|winding, rule| winding > 0 && (rule == NonZero || is_odd(winding))),
+                "where the winding number is negative nothing is plotted, but −1 is odd and is not 0 (in Rust −1 % 2 is −1)",
+            ),
+        ];
+        for (way, why) in ways {
+            let all = cases.iter().all(|case| case.fits(way));
+            if all {
+                compare(&format!(": {why}"));
+            }
+        }
+        let right_when_closed = |case: &Case| {
+            let first = case.quarters.first().copied();
+            let closed: Vec<_> = case.quarters.iter().copied().chain(first).collect();
+            Case::new(&closed, case.rule).fits(RIGHT)
+        };
+        if cases.iter().all(right_when_closed) {
+            compare(
+                ": all would be right with the first vertex once more at the end: the edge from the last vertex to the first is missing",
             );
         }
-        assert!(
-            !fits(other, centre),
-            "{what}: this is the picture of the {}",
-            match rule {
-                EvenOdd => "non-zero rule: with EvenOdd a winding number of 2 or −2 is outside",
-                NonZero => "even-odd rule: with NonZero a winding number of 2 or −2 is inside too",
-            },
-        );
-        assert!(
-            !fits(positive, centre),
-            "{what}: where the winding number is negative nothing is plotted, but −1 is odd and is not 0 (in Rust \
-             −1 % 2 is −1)",
-        );
-        let wanted = picture(quarters, is_in, centre);
-        let mut wrong = (0..wanted.len()).filter(|&i| wanted[i].is_some_and(|want| want != lit(i)));
-        let has_vertex = |i: usize| quarters.iter().any(|v| v.y == 4 * (i as i32 / WIDTH) + 2);
-        let why = if wrong.all(has_vertex) {
-            ", wrong in rows with a vertex alone: it belongs to the edge below it, ≤ at the top of an edge, < at its end"
-        } else {
-            ""
+        let in_vertex_rows = |case: &Case| {
+            let wanted = RIGHT.picture(&case.quarters, case.rule);
+            let differs = |&i: &usize| wanted[i].is_some_and(|want| want != case.lit(i));
+            let has_vertex = |i: usize| {
+                case.quarters
+                    .iter()
+                    .any(|v| v.y == 4 * (i as i32 / WIDTH) + 2)
+            };
+            (0..wanted.len()).filter(differs).all(has_vertex)
         };
-        let grid = Grid::of(WIDTH as usize, HEIGHT as usize, pixels.iter().copied());
-        grid.assert_where(&format!("{what}{why}"), |x, y| {
-            let i = (x + y * WIDTH) as usize;
-            wanted[i].unwrap_or_else(|| lit(i))
-        });
+        if cases.iter().all(in_vertex_rows) {
+            compare(
+                ": wrong in rows with a vertex alone: it belongs to the edge below it, ≤ at the top of an edge, < at its \
+                 end",
+            );
+        }
+        compare("");
     }
 
     fn known(what: &str, polygon: &[(f64, f64)], rule: FillRule, want: &[&str]) {
@@ -251,22 +359,23 @@ mod raster6_scan_line_polygon {
     #[test]
     fn any_polygon() {
         let mut inputs = Inputs::new(28);
-        for count in [3, 4, 5, 7, 9].into_iter().cycle().take(200) {
+        let mut cases = Vec::new();
+        for count in [3, 4, 5, 7, 9].into_iter().flat_map(|count| [count; 40]) {
             // Odd quarters: no vertex in the row of a centre.
             let mut odd = |max| 2 * inputs.integer(-8, 2 * max + 8) + 1;
             let polygon: Vec<_> = (0..count)
                 .map(|_| IVec2::new(odd(WIDTH), odd(HEIGHT)))
                 .collect();
-            for rule in [EvenOdd, NonZero] {
-                check(&polygon, rule);
-            }
+            cases.extend([EvenOdd, NonZero].map(|rule| Case::new(&polygon, rule)));
         }
+        check(&cases);
     }
 
     #[test]
     fn vertices_on_a_row() {
         let mut inputs = Inputs::new(29);
-        for count in [3, 4, 5, 7].into_iter().cycle().take(200) {
+        let mut cases = Vec::new();
+        for count in [3, 4, 5, 7].into_iter().flat_map(|count| [count; 50]) {
             // All in rows of centres, none in a centre.
             let polygon: Vec<_> = (0..count)
                 .map(|_| {
@@ -274,10 +383,9 @@ mod raster6_scan_line_polygon {
                     IVec2::new(2 * x + 1, 4 * y + 2)
                 })
                 .collect();
-            for rule in [EvenOdd, NonZero] {
-                check(&polygon, rule);
-            }
+            cases.extend([EvenOdd, NonZero].map(|rule| Case::new(&polygon, rule)));
         }
+        check(&cases);
     }
 
     #[test]
@@ -337,8 +445,10 @@ mod raster6_scan_line_polygon {
             let pixels = pixels(&polygon, NonZero);
             assert!(
                 pixels.is_empty(),
-                "{} has no area, but got {pixels:?}",
-                show_points(&polygon)
+                "{} has no area, but {} pixels are plotted, the first is {:?}",
+                show_points(&polygon),
+                pixels.len(),
+                pixels[0],
             );
         }
     }

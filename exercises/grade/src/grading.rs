@@ -17,7 +17,7 @@ use crate::{build, harness, libtest, run};
 const COMPILER_LINES: usize = 60;
 
 /// How many bytes a test may ask for; none of the course comes near it.
-const MEMORY: u64 = 1 << 30;
+const MEMORY: u64 = 512 << 20;
 
 /// How long after the time limit a test ends by itself.
 const ALONE: Duration = Duration::from_secs(2);
@@ -372,8 +372,8 @@ fn verdict(ended: &run::Ended, token: &str, limit: Duration) -> Verdict {
     }
     Verdict::Failed(if said.contains("memory allocation of ") {
         format!(
-            "more memory was asked for than the {} GiB of a test: does a loop collect without end?",
-            MEMORY >> 30
+            "more memory was asked for than the {} MiB of a test: does a loop collect without end?",
+            MEMORY >> 20
         )
     } else if said.contains("has overflowed its stack") {
         "the stack overflowed: does a function call itself without end?".to_owned()

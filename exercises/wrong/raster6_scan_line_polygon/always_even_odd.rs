@@ -1,4 +1,4 @@
-// rejected by any_polygon: this is the picture of the even-odd rule
+// rejected by any_polygon: these are the pictures of the even-odd rule
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, PartialEq)]

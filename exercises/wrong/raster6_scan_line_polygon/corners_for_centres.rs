@@ -1,4 +1,4 @@
-// rejected by any_polygon: this is the picture for centres in (i, j)
+// rejected by any_polygon: these are the pictures for centres in (i, j);
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
