@@ -24,8 +24,8 @@ fn main() {}
 #[cfg(test)]
 mod hsr1_back_face {
     use super::is_front_facing;
-    use assess::{Inputs, show};
-    use glam::{DVec3, DVec4};
+    use assess::{Ink, Inputs, Panel, Picture, brief, brief_number};
+    use glam::{DVec2, DVec3, DVec4};
 
     /// A triangle with whole coordinates, and its normal: all that is asked of them is exact.
     fn any_triangle(inputs: &mut Inputs) -> ([DVec3; 3], DVec3) {
@@ -46,12 +46,62 @@ mod hsr1_back_face {
     }
 
     fn name(triangle: [DVec3; 3], eye: DVec4) -> String {
-        let [a, b, c] = triangle.map(show);
+        let [a, b, c] = triangle.map(brief);
         format!(
             "triangle {a} {b} {c}, eye {} with E_w = {}",
-            show(eye.truncate()),
-            eye.w
+            brief(eye.truncate()),
+            brief_number(eye.w)
         )
+    }
+
+    /// The section through the triangle's first vertex and the eye, square to the triangle: it is filled where it is
+    /// kept, dashed where it is left out; its normal is green.
+    #[track_caller]
+    fn picture(triangle: [DVec3; 3], eye: DVec4, kept: bool, seen: bool) -> Picture {
+        let [a, b, c] = triangle;
+        let n = (b - a).cross(c - a).normalize_or_zero();
+        let v = eye.truncate() - eye.w * a;
+        let across = (v - n.dot(v) * n).try_normalize();
+        let across = across.unwrap_or_else(|| (b - a).normalize_or_zero());
+        let at = |p: DVec3| DVec2::new(across.dot(p), n.dot(p));
+        let size = v.length().max(1e-300);
+        let half = |kept: bool| {
+            let mut panel = Panel::plane();
+            let end = DVec2::new(0.4 * size, 0.0);
+            panel.segment(-end, end, if kept { Ink::Right } else { Ink::Faint });
+            panel.arrow(DVec2::ZERO, DVec2::new(0.0, 0.3 * size), Ink::Normal);
+            panel.arrow(DVec2::ZERO, at(v), Ink::Ideal);
+            panel.point(
+                at(v),
+                if eye.w == 0.0 { "to the eye" } else { "eye" },
+                Ink::Eye,
+            );
+            panel
+        };
+        Picture::beside(half(kept), half(seen))
+    }
+
+    /// A triangle before the eye must be kept and one behind it left out, in the plainest case: what is wrong with that
+    /// is told before any finer verdict.
+    fn plainest() {
+        let triangle = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        let [front, back] =
+            [1.0, -1.0].map(|z| is_front_facing(triangle, DVec4::new(0.0, 0.0, z, 1.0)));
+        let what = "A (0, 0, 0), B (1, 0, 0), C (0, 1, 0), so n = (0, 0, 1)";
+        assert!(
+            front || back,
+            "{what}: left out for the eye in (0, 0, 1) and for the eye in (0, 0, -1): the answer seems to be false always",
+        );
+        assert!(
+            !front || !back,
+            "{what}: kept for the eye in (0, 0, 1) and for the eye in (0, 0, -1): the answer does not depend on the \
+             side of the eye",
+        );
+        assert!(
+            front,
+            "{what}: left out for the eye in (0, 0, 1), where n points to, kept for (0, 0, -1): the sign is turned round. \
+             v points from the triangle to the viewer, not the way the viewer looks, and n is AB × AC",
+        );
     }
 
     #[test]
@@ -60,6 +110,7 @@ mod hsr1_back_face {
         let (low, high) = (DVec3::new(0.0, 20.0, 0.0), DVec3::new(10.0, 30.0, 10.0));
         let eye = DVec4::new(30.0, 40.0, 50.0, 1.0);
         let mut kept = 0;
+        plainest();
         for axis in 0..3 {
             for outer in [low, high] {
                 // The face at outer[axis], its other two axes in turn, so that u × w is the axis itself.
@@ -87,6 +138,7 @@ mod hsr1_back_face {
                     let got = is_front_facing(triangle, eye);
                     kept += usize::from(got);
                     let side = ["x", "y", "z"][axis];
+                    let _picture = picture(triangle, eye, got, is_high);
                     assert!(
                         got == is_high,
                         "{}: of the cube the eye sees the faces x = 10, y = 30 and z = 10, but {side} = {} is {}",
@@ -136,7 +188,7 @@ mod hsr1_back_face {
                 "{}: eye and triangle have moved together by {}, and the answer has changed. An eye that is a place is \
                  no direction: v runs from a point of the triangle to the eye",
                 name(moved, (eye + by).extend(1.0)),
-                show(by),
+                brief(by),
             );
         }
     }
@@ -144,6 +196,7 @@ mod hsr1_back_face {
     #[test]
     fn any_eye() {
         let mut inputs = Inputs::new(43);
+        plainest();
         for _ in 0..300 {
             let (triangle, normal) = any_triangle(&mut inputs);
             // Off the plane by construction: a point of the triangle, some way along its sides and off along the normal.
@@ -153,6 +206,7 @@ mod hsr1_back_face {
             for (off, seen) in [(off, true), (-off, false)] {
                 let eye = a + s * (b - a) + t * (c - a) + off * normal;
                 let got = is_front_facing(triangle, eye.extend(1.0));
+                let _picture = picture(triangle, eye.extend(1.0), got, seen);
                 assert!(
                     got == seen,
                     "{}: n·v = {off} n·n {} 0, so the triangle is to be {}",
@@ -167,6 +221,7 @@ mod hsr1_back_face {
     #[test]
     fn parallel_view() {
         let mut inputs = Inputs::new(44);
+        plainest();
         for _ in 0..200 {
             let (triangle, normal) = any_triangle(&mut inputs);
             let [a, b, c] = triangle;
@@ -181,7 +236,7 @@ mod hsr1_back_face {
                     "{}: E_w = 0 is a parallel view: v is that direction itself, wherever the triangle is, but moved away \
                      by {} the answer changes",
                     name(triangle, towards.extend(0.0)),
-                    show(32_768.0 * off * normal),
+                    brief(32_768.0 * off * normal),
                 );
                 assert!(
                     got == seen,
@@ -190,6 +245,33 @@ mod hsr1_back_face {
                     if seen { '>' } else { '<' },
                     if seen { "kept" } else { "left out" },
                 );
+            }
+        }
+    }
+
+    /// The eye a hair before or behind the plane: 2⁻¹⁰ to 2⁻⁴⁵ of its distance, at three scales. All of it is exact.
+    #[test]
+    fn by_a_hair() {
+        plainest();
+        for scale in [0, 60, -60] {
+            for power in [1, 10, 20, 30, 45] {
+                let unit = 2f64.powi(scale);
+                let hair = unit * 2f64.powi(-power);
+                let triangle = [DVec3::ZERO, unit * DVec3::X, unit * DVec3::Y];
+                for w in [1.0, 0.0] {
+                    for (z, seen) in [(hair, true), (-hair, false)] {
+                        let eye = DVec3::new(unit, unit, z).extend(w);
+                        let got = is_front_facing(triangle, eye);
+                        let _picture = picture(triangle, eye, got, seen);
+                        assert!(
+                            got == seen,
+                            "{}: the eye is {} the plane by 2^−{power} of its distance, and that is enough: the sign of n·v \
+                             is taken as it is, without a tolerance",
+                            name(triangle, eye),
+                            if seen { "before" } else { "behind" },
+                        );
+                    }
+                }
             }
         }
     }
@@ -217,6 +299,7 @@ mod hsr1_back_face {
     #[test]
     fn huge_and_tiny() {
         let mut inputs = Inputs::new(46);
+        plainest();
         for exponent in [-300, -100, 100, 300] {
             let scale = 2f64.powi(exponent);
             for _ in 0..50 {
