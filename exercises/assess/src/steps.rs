@@ -127,7 +127,7 @@ pub fn watched<T: Send + 'static>(what: &str, run: impl FnOnce() -> T + Send + '
     match receiver.recv_timeout(PATIENCE) {
         Ok(result) => result,
         Err(RecvTimeoutError::Timeout) => panic!(
-            "{what}: still at it after {} s, and nothing is plotted any more: does a loop never end?",
+            "{what}: still at it after {} s, and nothing of ours is called any more: does a loop never end?",
             PATIENCE.as_secs()
         ),
         Err(RecvTimeoutError::Disconnected) => match thread.join() {

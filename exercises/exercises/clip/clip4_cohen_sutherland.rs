@@ -63,7 +63,7 @@ fn main() {}
 #[cfg(test)]
 mod clip4_cohen_sutherland {
     use super::{Window, clip};
-    use assess::{Inputs, SIDES, Steps, WindowCase, short_point, within_calls};
+    use assess::{Inputs, SIDES, Steps, WindowCase, short_point, watched, within_calls};
     use glam::DVec2;
 
     type Ends = (DVec2, DVec2);
@@ -95,6 +95,11 @@ mod clip4_cohen_sutherland {
 
     /// The answer, and the ends in each round; each round is checked.
     fn run(case: &WindowCase) -> (Option<Ends>, Vec<Ends>) {
+        let case = *case;
+        watched(&case.to_string(), move || cut(&case))
+    }
+
+    fn cut(case: &WindowCase) -> (Option<Ends>, Vec<Ends>) {
         let mut rounds: Vec<Ends> = Vec::new();
         let mut steps = Steps::new(MOST_ROUNDS);
         let window = Window {

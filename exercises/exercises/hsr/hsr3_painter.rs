@@ -47,7 +47,7 @@ fn main() {}
 #[cfg(test)]
 mod hsr3_painter {
     use super::{Stick, order};
-    use assess::{Inputs, brief, painted_sticks, within_calls};
+    use assess::{Inputs, brief, painted_sticks, watched, within_calls};
     use glam::DVec3;
 
     fn stick(a: (f64, f64, f64), b: (f64, f64, f64)) -> Stick {
@@ -78,7 +78,10 @@ mod hsr3_painter {
     fn ordered(sticks: &[Stick]) -> Result<Vec<usize>, Vec<usize>> {
         let n = sticks.len();
         let because = "Where sticks hide each other in a ring there is no order, and the search for one has to end.";
-        within_calls(8 * n * n * n + 1000, because, || order(sticks))
+        let all = sticks.to_vec();
+        watched(&name(sticks), move || {
+            within_calls(8 * n * n * n + 1000, because, || order(&all))
+        })
     }
 
     fn picture(sticks: &[Stick], painted: &[usize]) -> assess::Picture {
