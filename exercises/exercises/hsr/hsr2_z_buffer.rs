@@ -28,6 +28,7 @@ struct Buffers {
 /// ```
 ///
 /// `far` is the largest distance. At equal depth the triangle that came first stays. No triangle is edge-on: n_z ≠ 0.
+/// Rounding may move z by 3·10⁻¹⁰ where all coordinates are at most 100.
 ///
 /// Grafica 3, Algoritmo Z-Buffer.
 fn draw(triangles: &[Triangle], width: usize, height: usize, far: f64) -> Buffers {
@@ -268,10 +269,11 @@ mod hsr2_z_buffer {
                 let bound = 4.0 * f64::EPSILON * 2.0 * 98.0 * 80.0 * 80.0 / 4.0;
                 assert!(
                     (z - want).abs() <= bound,
-                    "{what}: at pixel ({i}, {j}) its plane has z = {}, the depth buffer {}: every pixel has its own \
-                     depth, that at its centre",
+                    "{what}: at pixel ({i}, {j}) its plane has z = {}, the depth buffer {}, {} away: every pixel has its own \
+                     depth, that at its centre, in f64",
                     brief_number(want),
                     brief_number(z),
+                    brief_number((z - want).abs()),
                 );
             }
         }

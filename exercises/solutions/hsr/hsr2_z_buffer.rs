@@ -28,6 +28,7 @@ struct Buffers {
 /// ```
 ///
 /// `far` is the largest distance. At equal depth the triangle that came first stays. No triangle is edge-on: n_z ≠ 0.
+/// Rounding may move z by 3·10⁻¹⁰ where all coordinates are at most 100.
 ///
 /// Grafica 3, Algoritmo Z-Buffer.
 fn draw(triangles: &[Triangle], width: usize, height: usize, far: f64) -> Buffers {
