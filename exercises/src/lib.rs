@@ -1,11 +1,12 @@
 //! What `start`, `hint` and `update` share: the list of the exercises, and copies of the course's files.
 
+mod marker;
+
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The line that parts an exercise's file. Everything from it on belongs to the course.
-pub const MARKER: &str = "// ---- tests: leave everything below as it is ----";
+pub use marker::{MARKER, split};
 
 /// The file of a student's copy that names the folder it was copied from.
 pub const COURSE: &str = ".course.txt";
@@ -108,19 +109,6 @@ pub fn find<'a>(exercises: &'a [Exercise], asked: &str) -> Result<&'a Exercise, 
         )),
         several => Err(format!("{asked:?} may be {}", names(several))),
     }
-}
-
-/// A file's part above the marker line, and the rest from it on; `None` without such a line.
-#[must_use]
-pub fn split(text: &str) -> Option<(&str, &str)> {
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
-        if line.trim_end() == MARKER {
-            return Some(text.split_at(start));
-        }
-        start += line.len();
-    }
-    None
 }
 
 /// All files of the course below `root` that a student's copy has, sorted, as paths from there.

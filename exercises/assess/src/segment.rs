@@ -125,7 +125,7 @@ impl Segment {
 
     /// The pixels beside the right ones, round the first that is wrong.
     #[track_caller]
-    fn picture(self, pixels: &[(i32, i32)]) -> Picture {
+    pub fn picture(self, pixels: &[(i32, i32)]) -> Picture {
         const SHOWN: i64 = 24;
         let (run, rise, steep) = self.octant();
         let wanted: Vec<(i32, i32)> = (0..=run.min(1 << 16))

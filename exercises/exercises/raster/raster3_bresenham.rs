@@ -49,12 +49,13 @@ fn main() {}
 mod raster3_bresenham {
     use super::Choice::{E, NE};
     use super::{Step, trace};
-    use assess::{Grid, Inputs, Segment, calls_within, first_calls};
+    use assess::{Grid, Inputs, Segment, calls_within, first_calls, watched};
     use glam::IVec2;
 
     fn steps(a: IVec2, b: IVec2) -> Vec<Step> {
-        calls_within("the moves", (b.x - a.x) as usize + 8, |take| {
-            trace(a, b, take)
+        let what = Segment::new(a, b).show();
+        watched(&what.clone(), move || {
+            calls_within(&what, (b.x - a.x) as usize + 8, |take| trace(a, b, take))
         })
     }
 
@@ -68,6 +69,17 @@ mod raster3_bresenham {
     fn check(a: IVec2, b: IVec2, steps: &[Step]) {
         let way = |to: IVec2| (i64::from(to.x - a.x), i64::from(to.y - a.y));
         let (dx, dy) = way(b);
+        let segment = Segment::new(a, b);
+        assert!(
+            dx == 0 || !steps.is_empty(),
+            "{}: no step is handed to `take`, but dx = {dx} moves lead from a to b",
+            segment.show(),
+        );
+        let drawn: Vec<_> = steps.iter().map(|step| step.pixel.into()).collect();
+        // The last pixel has no step of its own.
+        let is_whole = steps.len() as i64 == dx;
+        let end = is_whole.then_some(b.into());
+        let _picture = segment.picture(&drawn.into_iter().chain(end).collect::<Vec<_>>());
         let mut pixel = a;
         for (i, step) in steps.iter().enumerate() {
             let what = format!(

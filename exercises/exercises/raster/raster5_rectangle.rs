@@ -80,6 +80,13 @@ mod raster5_rectangle {
             .enumerate()
             .filter(|(i, pixel)| lines[..*i].contains(pixel));
         for (_, &(x, y)) in twice {
+            let mut times = lines
+                .iter()
+                .map(|p| lines.iter().filter(|q| *q == p).count());
+            assert!(
+                row_or_column || !times.all(|times| times > 1),
+                "the outline {what}: every pixel is plotted more than once",
+            );
             assert!(
                 row_or_column || !corner(x, y),
                 "the outline {what}: the corner ({x}, {y}) is plotted twice: two sides meet there, and one has it",
@@ -185,8 +192,12 @@ mod raster5_rectangle {
                 // With two rows at most, the outline is the filled rectangle.
                 assert!(
                     pixels == all,
-                    "{}: got {pixels:?}, but its pixels are {all:?}",
+                    "{}: {} pixels are plotted, the first are {:?}, but it has {}, {:?} …",
                     show(min, max),
+                    pixels.len(),
+                    &pixels[..pixels.len().min(2)],
+                    all.len(),
+                    &all[..all.len().min(2)],
                 );
             }
         }

@@ -1,21 +1,6 @@
 //! An exercise's file: what is above the marker line is the student's, what is below are the tests.
 
-/// The line that parts a file. Everything from it on belongs to the course.
-pub const MARKER: &str = "// ---- tests: leave everything below as it is ----";
-
-/// The student's part, and the rest from the marker line on; `None` without a marker line.
-///
-/// With several marker lines the first one counts.
-pub fn split(text: &str) -> Option<(&str, &str)> {
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
-        if line.trim_end() == MARKER {
-            return Some(text.split_at(start));
-        }
-        start += line.len();
-    }
-    None
-}
+pub use crate::marker::{MARKER, split};
 
 /// How many marker lines a text has.
 pub fn count_markers(text: &str) -> usize {

@@ -1,4 +1,4 @@
-// rejected by either_side: the answer is the same from both sides
+// rejected by either_side: the answer does not depend on the side of the eye
 use glam::{DVec3, DVec4};
 
 fn is_front_facing(triangle: [DVec3; 3], eye: DVec4) -> bool {
