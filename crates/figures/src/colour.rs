@@ -125,6 +125,78 @@ impl Role {
     }
 }
 
+/// The colours of all roles: a theme's, on its own paper or on a colour of one's own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Palette {
+    /// Light or dark.
+    pub theme: Theme,
+    /// 0xRRGGBB instead of the theme's paper.
+    pub paper: Option<u32>,
+}
+
+impl Palette {
+    /// A role's colour as 0xRRGGBB.
+    pub fn rgb(self, role: Role) -> u32 {
+        let Some(paper) = self.paper else {
+            return role.rgb(self.theme);
+        };
+        // Areas are the paper's own colour, a little nearer to letters; a shadow is darker.
+        match role {
+            Role::Paper => return paper,
+            Role::Ground => return mixed(paper, Role::Text.rgb(self.theme), 0.08),
+            Role::Grid => return mixed(paper, Role::Text.rgb(self.theme), 0.25),
+            Role::Umbra => return mixed(paper, 0, 0.4),
+            _ => {}
+        }
+        // Everything else goes towards white or black until it stands out as it does on the theme's paper.
+        let wanted = if role.may_colour_text() { 4.5 } else { 3.0 };
+        let far = match self.theme {
+            Theme::Light => 0,
+            Theme::Dark => 0xFF_FF_FF,
+        };
+        let towards = |step: u32| mixed(role.rgb(self.theme), far, f64::from(step) / 16.0);
+        let reached = (0..16)
+            .map(towards)
+            .find(|&rgb| contrast(rgb, paper) >= wanted);
+        reached.unwrap_or(far)
+    }
+}
+
+/// From one colour to another, a channel at a time, rounded.
+fn mixed(from: u32, to: u32, share: f64) -> u32 {
+    let channel = |shift: u32| {
+        let of = |rgb: u32| f64::from(rgb >> shift & 255);
+        // In 0..=255 for shares in 0..=1.
+        ((of(from) + (of(to) - of(from)) * share + 0.5) as u32) << shift
+    };
+    channel(16) | channel(8) | channel(0)
+}
+
+/// WCAG 2.1 relative luminance.
+fn luminance(rgb: u32) -> f64 {
+    let channel = |shift: u32| {
+        let c = f64::from(rgb >> shift & 255) / 255.0;
+        if c <= 0.040_45 {
+            c / 12.92
+        } else {
+            libm::pow((c + 0.055) / 1.055, 2.4)
+        }
+    };
+    0.2126 * channel(16) + 0.7152 * channel(8) + 0.0722 * channel(0)
+}
+
+/// WCAG 2.1 contrast ratio.
+pub(crate) fn contrast(a: u32, b: u32) -> f64 {
+    let (a, b) = (luminance(a), luminance(b));
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
+impl From<Theme> for Palette {
+    fn from(theme: Theme) -> Palette {
+        Palette { theme, paper: None }
+    }
+}
+
 /// A role's colour, mixed with the paper and made see-through as asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ink {
@@ -157,15 +229,10 @@ impl Ink {
     }
 
     /// The mixed colour as 0xRRGGBB, rounded a channel.
-    pub fn rgb(self, theme: Theme) -> u32 {
-        let (colour, paper) = (self.role.rgb(theme), Role::Paper.rgb(theme));
-        let share = self.share.clamp(0.0, 1.0);
-        let channel = |shift: u32| {
-            let of = |rgb: u32| f64::from(rgb >> shift & 255);
-            // In 0..=255 by the clamp above.
-            ((of(paper) + (of(colour) - of(paper)) * share + 0.5) as u32) << shift
-        };
-        channel(16) | channel(8) | channel(0)
+    pub fn rgb(self, palette: impl Into<Palette>) -> u32 {
+        let palette = palette.into();
+        let (colour, paper) = (palette.rgb(self.role), palette.rgb(Role::Paper));
+        mixed(paper, colour, self.share.clamp(0.0, 1.0))
     }
 }
 
@@ -178,24 +245,6 @@ impl From<Role> for Ink {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// WCAG 2.1 relative luminance.
-    fn luminance(rgb: u32) -> f64 {
-        let channel = |shift: u32| {
-            let c = f64::from(rgb >> shift & 255) / 255.0;
-            if c <= 0.040_45 {
-                c / 12.92
-            } else {
-                libm::pow((c + 0.055) / 1.055, 2.4)
-            }
-        };
-        0.2126 * channel(16) + 0.7152 * channel(8) + 0.0722 * channel(0)
-    }
-
-    fn contrast(a: u32, b: u32) -> f64 {
-        let (a, b) = (luminance(a), luminance(b));
-        (a.max(b) + 0.05) / (a.min(b) + 0.05)
-    }
 
     #[test]
     fn the_contrast_formula_is_wcags() {
@@ -225,6 +274,30 @@ mod tests {
                         "{role:?} on {paper:?}, {theme}: {reached:.2} < {wanted}"
                     );
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn roles_stand_out_on_any_colour_of_paper() {
+        for paper in [
+            0x1E_5A_A0, 0, 0xFF_FF_FF, 0xC0_10_10, 0x80_80_80, 0xFF_FF_00, 0x00_40_20,
+        ] {
+            let theme = Theme::on(paper);
+            let palette = Palette {
+                theme,
+                paper: Some(paper),
+            };
+            assert_eq!(palette.rgb(Role::Paper), paper);
+            for role in Role::ALL.into_iter().filter(|role| !role.is_area()) {
+                // Nothing reaches more than the better of black and white does.
+                let most = contrast(0, paper).max(contrast(0xFF_FF_FF, paper));
+                let wanted = if role.may_colour_text() { 4.5 } else { 3.0 };
+                let reached = contrast(palette.rgb(role), paper);
+                assert!(
+                    reached >= f64::min(wanted, most),
+                    "{role:?} on {paper:06x}: {reached}"
+                );
             }
         }
     }

@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 
 use crate::course::figures;
 use crate::error::FigureError;
-use crate::figure::{Figure, Inputs};
+use crate::figure::Figure;
+use crate::input::Inputs;
 use crate::style::{Size, Style, TextForm};
 use crate::{svg, write};
 

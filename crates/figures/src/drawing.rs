@@ -54,6 +54,27 @@ impl<T: Into<Ink>> From<T> for Paint {
 }
 
 impl Paint {
+    /// Every length times `zoom`.
+    pub(crate) fn zoomed(self, zoom: f64) -> Paint {
+        match self {
+            Paint::Solid(ink) => Paint::Solid(ink),
+            Paint::Linear { from, to, stops } => Paint::Linear {
+                from: from * zoom,
+                to: to * zoom,
+                stops,
+            },
+            Paint::Radial {
+                centre,
+                radius,
+                stops,
+            } => Paint::Radial {
+                centre: centre * zoom,
+                radius: radius * zoom,
+                stops,
+            },
+        }
+    }
+
     /// Every length to hundredths.
     pub(crate) fn rounded(self) -> Paint {
         match self {
@@ -111,6 +132,15 @@ impl Pen {
         Pen {
             dash: Some((9.0, 11.0)),
             ..self
+        }
+    }
+
+    /// The paint's lengths and the dashes times `zoom`; the width stays, so that no line gets too thin to be seen.
+    pub(crate) fn zoomed(self, zoom: f64) -> Pen {
+        Pen {
+            paint: self.paint.zoomed(zoom),
+            width: self.width,
+            dash: self.dash.map(|(dash, gap)| (dash * zoom, gap * zoom)),
         }
     }
 
@@ -187,7 +217,7 @@ pub struct LabelBox {
 }
 
 /// A figure ready to be written: [`crate::svg::svg`], [`crate::png::png`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
     /// The figure's id, `shadows/cube-infinity`.
     pub id: String,
@@ -201,4 +231,6 @@ pub struct Drawing {
     pub items: Vec<Item>,
     /// Where its labels lie.
     pub labels: Vec<LabelBox>,
+    /// What labels say for which there is no place.
+    pub over: Vec<String>,
 }

@@ -14,6 +14,15 @@ pub enum FigureError {
         /// What it takes.
         allowed: String,
     },
+    /// An input of a figure has a value that it cannot have.
+    Input {
+        /// Its name.
+        name: &'static str,
+        /// What was given.
+        value: String,
+        /// What it takes.
+        allowed: String,
+    },
     /// No figure and no lecture has this name.
     UnknownFigure {
         /// What was given.
@@ -49,11 +58,6 @@ pub enum FigureError {
         /// What is wrong with it.
         reason: &'static str,
     },
-    /// A label found no free place on the canvas.
-    NoRoom {
-        /// The label.
-        text: String,
-    },
     /// A value of a chart cannot be drawn on its axis.
     Chart {
         /// What is wrong, with its value.
@@ -76,6 +80,11 @@ impl fmt::Display for FigureError {
                 value,
                 allowed,
             } => write!(f, "{option} cannot be '{value}': it is {allowed}"),
+            Self::Input {
+                name,
+                value,
+                allowed,
+            } => write!(f, "the input {name} cannot be '{value}': it is {allowed}"),
             Self::UnknownFigure { pattern, allowed } => write!(
                 f,
                 "there is no figure or lecture '{pattern}': there are {allowed}"
@@ -90,12 +99,6 @@ impl fmt::Display for FigureError {
             ),
             Self::Markup { text, reason } => {
                 write!(f, "the label '{text}' does not parse: {reason}")
-            }
-            Self::NoRoom { text } => {
-                write!(
-                    f,
-                    "the label '{text}' finds no free place: choose a wider canvas or move what it labels"
-                )
             }
             Self::Chart { reason } => f.write_str(reason),
             Self::Write { path, reason } => write!(f, "{path} cannot be written: {reason}"),

@@ -1,83 +1,58 @@
-//! What a figure is, and what of an instructor's own it takes.
-
-use ombra_math::glam::DVec4;
-use ombra_math::plane::Plane;
+//! What a figure is: its inputs, its words, how it is drawn.
 
 use crate::drawing::Drawing;
 use crate::error::FigureError;
-use crate::object::NamedMesh;
+use crate::input::{Input, Inputs};
+use crate::room::{Plan, Settled};
 use crate::sheet::Sheet;
-use crate::solid;
 use crate::style::{Language, Style};
 use crate::words::Word;
 
-/// What of an instructor's own a figure takes; `--light` and the like leave other figures as they are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Takes {
-    /// `--light x,y,z,w`
-    pub light: bool,
-    /// `--plane a,b,c,d`
-    pub plane: bool,
-    /// `--mesh FILE.obj`
-    pub mesh: bool,
+/// What a figure can be given.
+#[derive(Clone, Copy, Debug)]
+pub enum Takes {
+    /// These inputs.
+    These(&'static [Input]),
+    /// None, and why.
+    Nothing(Word),
 }
 
 impl Takes {
-    /// Neither.
-    pub const NOTHING: Takes = Takes {
-        light: false,
-        plane: false,
-        mesh: false,
-    };
-}
-
-/// An instructor's own light, plane and object.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Inputs {
-    /// A homogeneous light: w = 1 a place, w = 0 a direction towards it.
-    pub light: Option<DVec4>,
-    /// The plane that receives shadows.
-    pub plane: Option<Plane>,
-    /// The object that casts them.
-    pub mesh: Option<NamedMesh>,
+    /// All inputs; none where it takes nothing.
+    pub fn inputs(&self) -> &'static [Input] {
+        match self {
+            Takes::These(inputs) => inputs,
+            Takes::Nothing(_) => &[],
+        }
+    }
 }
 
 /// Puts a figure on a sheet.
 pub(crate) type Drawn = fn(&mut Sheet, &Inputs) -> Result<(), FigureError>;
 
-impl Inputs {
-    /// Whether the object is the lectures' cube, for want of another or by name.
-    pub(crate) fn is_cube(&self) -> bool {
-        self.mesh.as_ref().is_none_or(|mesh| mesh.name == "cube")
-    }
-}
-
-/// What a figure says of itself; with an instructor's own light or object, what is then drawn.
+/// What a figure says of itself with given inputs.
 pub(crate) struct About {
     /// One line for lists and for readers who cannot see the figure.
-    pub(crate) summary: Word,
+    pub(crate) summary: String,
     /// One or two sentences below the figure.
-    pub(crate) caption: Word,
-    /// One more, where there is something to say of how it was drawn.
-    pub(crate) note: Option<Word>,
+    pub(crate) caption: String,
 }
 
 impl About {
-    pub(crate) fn new(summary: Word, caption: Word) -> About {
+    pub(crate) fn new(language: Language, summary: Word, caption: Word) -> About {
         About {
-            summary,
-            caption,
-            note: None,
+            summary: summary.text(language).to_owned(),
+            caption: caption.text(language).to_owned(),
         }
     }
 
-    /// The same of a figure that draws the instructor's object.
-    pub(crate) fn with_object(self, inputs: &Inputs) -> About {
-        let object = inputs.mesh.as_ref();
-        About {
-            note: object.and_then(|named| solid::note(&named.mesh)),
-            ..self
+    /// One more sentence, if there is one.
+    pub(crate) fn and(mut self, sentence: Option<impl AsRef<str>>) -> About {
+        if let Some(sentence) = sentence {
+            self.caption.push(' ');
+            self.caption.push_str(sentence.as_ref());
         }
+        self
     }
 }
 
@@ -90,22 +65,21 @@ pub struct Figure {
     pub takes: Takes,
     /// Every word it shows.
     pub words: &'static [Word],
-    pub(crate) about: fn(&Inputs) -> About,
+    pub(crate) about: fn(&Inputs, Language) -> About,
     pub(crate) drawn: Drawn,
 }
 
 impl Figure {
     /// One line for lists on what `inputs` let it show.
-    pub fn summary(&self, inputs: &Inputs, language: Language) -> &'static str {
-        (self.about)(inputs).summary.text(language)
+    pub fn summary(&self, inputs: &Inputs, language: Language) -> String {
+        (self.about)(inputs, language).summary
     }
 
-    /// Up to three sentences on it, set below the figure where the style asks for a caption.
+    /// A few sentences on it, set below the figure where the style asks for a caption; what differs from the lecture's
+    /// numbers is said at the end.
     pub fn caption(&self, inputs: &Inputs, language: Language) -> String {
-        let About { caption, note, .. } = (self.about)(inputs);
-        let sentences = [Some(caption), note].into_iter().flatten();
-        let sentences: Vec<&str> = sentences.map(|word| word.text(language)).collect();
-        sentences.join(" ")
+        let about = (self.about)(inputs, language);
+        about.and(inputs.said(self.takes.inputs())).caption
     }
 
     /// The lecture, `shadows` of `shadows/cube-infinity`.
@@ -120,94 +94,46 @@ impl Figure {
         self.id.split_once('/').map_or(self.id, |(_, name)| name)
     }
 
-    /// Draws it.
+    /// Draws it, as many of its steps as `inputs` say.
     ///
     /// # Errors
     ///
-    /// [`FigureError::Scene`] when light, plane and object leave nothing to draw, [`FigureError::NoRoom`] when a label
-    /// has no place.
+    /// [`FigureError::Scene`] when the inputs leave nothing to draw, [`FigureError::Input`] for a step that it does not
+    /// have.
     pub fn draw(&self, style: &Style, inputs: &Inputs) -> Result<Drawing, FigureError> {
-        let mut sheet = Sheet::new(style, &self.caption(inputs, style.language))?;
-        (self.drawn)(&mut sheet, inputs)?;
-        sheet.finish(self.id, self.summary(inputs, style.language))
-    }
-}
-
-/// Reads `--light x,y,z,w`.
-///
-/// # Errors
-///
-/// [`FigureError::Value`] for anything but four finite numbers, and for the zero vector, which is no light.
-pub fn parse_light(text: &str) -> Result<DVec4, FigureError> {
-    let light = four(text).filter(|light| *light != DVec4::ZERO);
-    light.ok_or_else(|| FigureError::Value {
-        option: "--light",
-        value: text.to_owned(),
-        allowed: "four finite numbers x,y,z,w, not all 0: w = 1 for a light at (x, y, z), w = 0 for one in that direction".to_owned(),
-    })
-}
-
-/// Reads `--plane a,b,c,d`.
-///
-/// # Errors
-///
-/// [`FigureError::Value`] for anything but four finite numbers, and for a zero normal, which is no plane.
-pub fn parse_plane(text: &str) -> Result<Plane, FigureError> {
-    let plane = four(text).filter(|plane| plane.truncate() != DVec4::ZERO.truncate());
-    let plane = plane.ok_or_else(|| FigureError::Value {
-        option: "--plane",
-        value: text.to_owned(),
-        allowed:
-            "four finite numbers a,b,c,d with a, b, c not all 0: the plane ax + by + cz + d = 0"
-                .to_owned(),
-    })?;
-    Ok(Plane {
-        normal: plane.truncate(),
-        d: plane.w,
-    })
-}
-
-fn four(text: &str) -> Option<DVec4> {
-    let mut parts = text
-        .split(',')
-        .map(|part| part.trim().parse::<f64>().ok().filter(|x| x.is_finite()));
-    let mut next = || parts.next().flatten();
-    let vector = DVec4::new(next()?, next()?, next()?, next()?);
-    parts.next().is_none().then_some(vector)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers() {
-        assert_eq!(
-            parse_light("0,100,100,1"),
-            Ok(DVec4::new(0.0, 100.0, 100.0, 1.0))
-        );
-        assert_eq!(
-            parse_light(" 1, -2 ,3e2,0"),
-            Ok(DVec4::new(1.0, -2.0, 300.0, 0.0))
-        );
-        for wrong in [
-            "",
-            "1,2,3",
-            "1,2,3,4,5",
-            "1,2,3,x",
-            "NaN,0,0,1",
-            "inf,0,0,1",
-            "0,0,0,0",
-            "0,-0,0,0",
-            "1,,2,3",
-        ] {
-            let error = parse_light(wrong).unwrap_err().to_string();
-            assert!(
-                error.starts_with(&format!("--light cannot be '{wrong}'")),
-                "{error}"
-            );
+        let Settled { drawing, last, .. } = self.settled(style, inputs)?;
+        if inputs.step > last {
+            let allowed = match last {
+                0 => format!("0: {} is not built up in steps", self.id),
+                _ => format!("a whole number from 0, the whole figure, to {last}"),
+            };
+            return Err(FigureError::Input {
+                name: crate::input::STEP,
+                value: inputs.step.to_string(),
+                allowed,
+            });
         }
-        assert_eq!(parse_plane("0,1,0,-5").unwrap().d, -5.0);
-        assert!(parse_plane("0,0,0,1").is_err());
+        Ok(drawing)
+    }
+
+    /// How many steps it is built up in; 0 where it is not.
+    ///
+    /// # Errors
+    ///
+    /// [`FigureError::Scene`] when the inputs leave nothing to draw.
+    pub fn steps(&self, style: &Style, inputs: &Inputs) -> Result<u32, FigureError> {
+        Ok(self.settled(style, inputs)?.last)
+    }
+
+    fn settled(&self, style: &Style, inputs: &Inputs) -> Result<Settled, FigureError> {
+        let about = (self.about)(inputs, style.language);
+        let plan = Plan {
+            id: self.id,
+            title: &about.summary,
+            caption: &self.caption(inputs, style.language),
+            style,
+            step: inputs.step,
+        };
+        plan.settled(|sheet| (self.drawn)(sheet, inputs))
     }
 }

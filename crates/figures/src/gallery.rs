@@ -3,7 +3,8 @@
 use core::fmt::Write as _;
 
 use crate::colour::Role;
-use crate::figure::{Figure, Inputs};
+use crate::figure::Figure;
+use crate::input::Inputs;
 use crate::style::{Format, Style};
 use crate::svg::{LICENCE_URL, escaped};
 use crate::words::words;
@@ -53,7 +54,7 @@ pub fn gallery(figures: &[&Figure], style: &Style, inputs: &Inputs, formats: &[F
             lecture = figure.lecture();
             let _ = writeln!(page, "<h2>{lecture}</h2>\n<main>");
         }
-        let summary = escaped(figure.summary(inputs, language));
+        let summary = escaped(&figure.summary(inputs, language));
         let best = formats
             .iter()
             .find(|&&format| format == Format::Svg)
@@ -110,7 +111,7 @@ mod tests {
                 for format in Format::ALL {
                     assert!(page.contains(&format!("href=\"{}.{format}\"", figure.id)));
                 }
-                assert!(page.contains(&escaped(figure.summary(&Inputs::default(), language))));
+                assert!(page.contains(&escaped(&figure.summary(&Inputs::default(), language))));
             }
             // The licence's address is a link to follow, not a thing to load.
             let addresses = page.matches("http").count();

@@ -1,12 +1,12 @@
 //! The drawing kit of the course and its figures.
 //!
-//! A figure is a function from a [`style::Style`] and an instructor's own [`figure::Inputs`] to a [`drawing::Drawing`]:
+//! A figure is a function from a [`style::Style`] and an instructor's own [`input::Inputs`] to a [`drawing::Drawing`]:
 //! one display list that SVG and PNG are both written from, so that they agree. The bytes are the same on every run and
 //! machine.
 //!
 //! ```
 //! use ombra_figures::course::select;
-//! use ombra_figures::figure::Inputs;
+//! use ombra_figures::input::Inputs;
 //! use ombra_figures::style::{Style, Theme};
 //! use ombra_figures::{png, svg};
 //!
@@ -24,7 +24,8 @@
 //! | module | what it is for |
 //! | --- | --- |
 //! | [`course`] | the list of figures, choosing among them |
-//! | [`figure`] | what a figure is; light, plane and object from the command line |
+//! | [`figure`] | what a figure is |
+//! | [`input`] | what it can be given, read from the command line |
 //! | [`style`] | size, theme, language, background, text form, caption |
 //! | [`object`] | built-in solids and OBJ files, checked |
 //! | [`write`](mod@write) | files written whole or not at all |
@@ -71,6 +72,7 @@ pub mod figure;
 pub mod font;
 pub mod gallery;
 mod hsr;
+pub mod input;
 pub mod marks;
 mod math;
 pub mod number;
@@ -82,6 +84,7 @@ pub mod pixels;
 pub mod place;
 pub mod png;
 mod raster;
+mod room;
 pub mod section;
 mod shadows;
 pub mod sheet;

@@ -23,7 +23,7 @@ pub const MOST_BYTES: u64 = 64 << 20;
 pub const LABELLED: usize = 16;
 
 /// An object with the name it was asked for by.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamedMesh {
     /// `cube`, `teapot`, or the file's path.
     pub name: String,

@@ -2,7 +2,7 @@
 //!
 //! A place is free when the label's box stays on the canvas and meets no other box. Among free places the nearest in
 //! the wanted direction wins that covers no drawn line; if every free place covers some, the one that covers least.
-//! A label without a free place is an error: nothing is ever put over other text.
+//! A label without a free place gets none: nothing is ever put over other text.
 
 mod board;
 
@@ -10,7 +10,6 @@ use ombra_math::glam::DVec2;
 
 use self::board::{Board, STARTS};
 use crate::drawing::HALO;
-use crate::error::FigureError;
 use crate::path::{Rect, round};
 use crate::text::Line;
 
@@ -53,6 +52,8 @@ pub struct Place {
     pub bounds: Rect,
     /// The line that leads to it, where it is so far that it needs one.
     pub leader: Option<(DVec2, DVec2)>,
+    /// Whether it covers a piece of a full line or of a mark.
+    pub crosses: bool,
 }
 
 impl Place {
@@ -105,6 +106,8 @@ const APART: f64 = 24.0;
 /// What a farther distance and a less wanted side count against a line covered, as lengths.
 const PER_GAP: f64 = 8.0;
 const PER_SIDE: f64 = 7.0;
+/// Full lines and marks have at least this weight.
+const FULL: f64 = 2.0;
 /// What a leading line counts in itself, and for each line it crosses.
 const LEADER: f64 = 110.0;
 const CROSSING: f64 = 25.0;
@@ -113,20 +116,13 @@ const RELUCTANT: f64 = 1000.0;
 /// What it counts that a label without a leading line lies nearer to another's thing than to its own.
 const AMBIGUOUS: f64 = 300.0;
 
-/// Finds a place for every label.
+/// Finds a place for every label; none for those without.
 ///
-/// `taken` is what labels must not meet, `drawn` the lines they should not cover. Each takes in turn the best place that those before it left; then, as long as it makes the whole cheaper, a label takes a better
-/// place and those that it drives out take others. Several labels get the chance to begin; the cheapest outcome is kept,
-/// and it depends on nothing but the arguments.
-///
-/// # Errors
-///
-/// [`FigureError::NoRoom`] names a label without a free place that is not optional.
-pub fn place(
-    wanted: &[Wanted],
-    taken: &[Rect],
-    drawn: &[Drawn],
-) -> Result<Vec<Option<Place>>, FigureError> {
+/// `taken` is what labels must not meet, `drawn` the lines they should not cover. Each takes in turn the best place that
+/// those before it left; then, as long as it makes the whole cheaper, a label takes a better place and those that it
+/// drives out take others. Several labels get the chance to begin; the cheapest outcome is kept, and it depends on
+/// nothing but the arguments.
+pub fn place(wanted: &[Wanted], taken: &[Rect], drawn: &[Drawn]) -> Vec<Option<Place>> {
     let candidates: Vec<_> = wanted
         .iter()
         .map(|label| candidates(label, wanted, taken, drawn))
@@ -138,19 +134,8 @@ pub fn place(
             board = other;
         }
     }
-    wanted
-        .iter()
-        .enumerate()
-        .map(|(label, wanted)| {
-            let place = board.place(label).map(|(_, place)| *place);
-            if place.is_some() || wanted.optional {
-                Ok(place)
-            } else {
-                Err(FigureError::NoRoom {
-                    text: wanted.line.plain.clone(),
-                })
-            }
-        })
+    (0..wanted.len())
+        .map(|label| board.place(label).map(|(_, place)| *place))
         .collect()
 }
 
@@ -193,10 +178,12 @@ fn candidates(
             if !label.frame.contains(&bounds) || taken.iter().any(|other| other.meets(&bounds)) {
                 continue;
             }
-            let covered: f64 = drawn
-                .iter()
-                .map(|line| line.weight * bounds.length_within(line.a, line.b))
-                .sum();
+            let (mut covered, mut crosses) = (0.0, false);
+            for line in drawn {
+                let length = bounds.length_within(line.a, line.b);
+                covered += line.weight * length;
+                crosses |= length > 0.0 && line.weight >= FULL;
+            }
             let mut cost = covered + PER_GAP * distance as f64 + PER_SIDE * by as f64;
             let mut leader = None;
             if distance >= FAR {
@@ -227,7 +214,13 @@ fn candidates(
                 };
                 cost += AMBIGUOUS * all.iter().filter(nearer).count() as f64;
             }
-            found.push((cost, Place { at, bounds, leader }));
+            let place = Place {
+                at,
+                bounds,
+                leader,
+                crosses,
+            };
+            found.push((cost, place));
         }
     }
     // Stable: equal costs keep the order of trying.
@@ -267,7 +260,7 @@ mod tests {
     }
 
     fn placed(wanted: &[Wanted], drawn: &[Drawn]) -> Vec<Place> {
-        let places = place(wanted, &[], drawn).unwrap();
+        let places = place(wanted, &[], drawn);
         places.into_iter().map(Option::unwrap).collect()
     }
 
@@ -324,36 +317,41 @@ mod tests {
             optional: true,
             ..label("much too long for this", 45.0, 45.0)
         };
-        let places = place(&[long, label("a", 300.0, 150.0)], &[], &[]).unwrap();
+        let places = place(&[long, label("a", 300.0, 150.0)], &[], &[]);
         assert!(places[0].is_none() && places[1].is_some());
     }
 
     #[test]
-    fn no_room_is_an_error_that_names_the_label() {
+    fn where_there_is_no_room_there_is_no_place() {
         let tight = Rect::new(DVec2::ZERO, DVec2::splat(90.0));
         let long = Wanted {
             frame: tight,
             ..label("much too long for this", 45.0, 45.0)
         };
-        let error = place(&[long], &[], &[]).unwrap_err();
-        assert!(
-            error.to_string().contains("'much too long for this'"),
-            "{error}"
-        );
+        assert_eq!(place(&[long], &[], &[]), [None]);
+        // Of a crowd some are left out, and those that are not do not meet.
         let crowd: Vec<_> = (0..40).map(|_| label("crowd", 300.0, 150.0)).collect();
-        assert!(place(&crowd, &[], &[]).is_err());
+        let places: Vec<Place> = place(&crowd, &[], &[]).into_iter().flatten().collect();
+        assert!((1..40).contains(&places.len()));
+        for (i, place) in places.iter().enumerate() {
+            assert!(
+                places[..i]
+                    .iter()
+                    .all(|other| !other.bounds.meets(&place.bounds))
+            );
+        }
     }
 
     #[test]
     fn a_label_that_others_would_shut_out_goes_first() {
         // A strip one label high: the long one fits only to the right of the shared anchor, where the short one, first
         // in order, would rather be too.
-        let (short, long) = (label("i", 40.0, 25.0), label("a long label", 40.0, 25.0));
+        let (short, long) = (label("i", 40.0, 35.0), label("a long label", 40.0, 35.0));
         let least = 40.0 + long.reach + GAPS[0] + long.line.width + 2.0 * HALO;
-        let frame = Rect::new(DVec2::ZERO, DVec2::new(least + 1.0, 50.0));
+        let frame = Rect::new(DVec2::ZERO, DVec2::new(least + 1.0, 70.0));
         let wanted = [short, long].map(|label| Wanted { frame, ..label });
         let places = place(&wanted, &[], &[]);
-        assert!(places.is_ok(), "{places:?}");
+        assert!(places.iter().all(Option::is_some), "{places:?}");
     }
 
     #[test]
@@ -364,7 +362,7 @@ mod tests {
                 b: DVec2::ZERO,
                 weight: 1.0,
             };
-            assert!(place(&[label("a", x, x)], &[], &[line]).is_err());
+            assert_eq!(place(&[label("a", x, x)], &[], &[line]), [None]);
         }
     }
 }

@@ -6,11 +6,11 @@ use tiny_skia::{
     Shader, SpreadMode, Stroke, StrokeDash, Transform,
 };
 
-use crate::colour::{Ink, Role};
+use crate::colour::{Ink, Palette, Role};
 use crate::drawing::{Drawing, FillRule, HALO, Item, Paint, Pen, Picture};
 use crate::error::FigureError;
 use crate::path::{Path, Rect, Segment};
-use crate::style::{Background, Size, Theme};
+use crate::style::{Background, Size};
 
 /// The whole file; transparent where the style says so.
 ///
@@ -26,9 +26,9 @@ pub fn png(drawing: &Drawing) -> Result<Vec<u8>, FigureError> {
             let scale = style.size.shorter() as f32 / 1000.0;
             Transform::from_scale(scale, scale)
         },
-        theme: style.theme,
+        palette: style.palette(),
     };
-    if style.background == Background::Theme {
+    if style.background != Background::Transparent {
         canvas.pixels.fill(canvas.colour(Role::Paper.into()));
     }
     for item in &drawing.items {
@@ -77,12 +77,12 @@ fn pixmap(picture: &Picture) -> Option<Pixmap> {
 struct Canvas {
     pixels: Pixmap,
     transform: Transform,
-    theme: Theme,
+    palette: Palette,
 }
 
 impl Canvas {
     fn colour(&self, ink: Ink) -> Color {
-        let rgb = ink.rgb(self.theme);
+        let rgb = ink.rgb(self.palette);
         let channel = |shift: u32| (rgb >> shift & 255) as u8;
         let mut colour = Color::from_rgba8(channel(16), channel(8), channel(0), 255);
         colour.apply_opacity(ink.alpha as f32);

@@ -1,6 +1,7 @@
 //! The sheet a figure draws on: shapes go on at once, labels find their places when it is finished.
 
 mod centres;
+mod finish;
 mod label;
 
 pub use self::centres::Centres;
@@ -9,12 +10,14 @@ pub use self::label::Label;
 use ombra_math::glam::DVec2;
 
 use crate::colour::{Ink, Role};
-use crate::drawing::{Drawing, FillRule, HALO, Item, LabelBox, MARGIN, Paint, Pen, Picture, THIN};
+use crate::drawing::{Drawing, FillRule, Item, MARGIN, Paint, Pen, Picture};
 use crate::error::FigureError;
-use crate::path::{Path, Rect, round, round_length};
-use crate::place::{Drawn, Wanted, place};
+use crate::panels::GUTTER;
+use crate::path::{Path, Rect};
+use crate::place::Drawn;
+use crate::room::{Room, Settled};
 use crate::style::Style;
-use crate::text::{CAPITALS, LABEL, Line, NOTE, wrapped};
+use crate::text::{CAPITALS, LABEL, Line, NOTE, SMALLEST, wrapped_no_smaller};
 
 /// Which point of a fixed text its position names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,99 +34,113 @@ pub enum Align {
     Above,
 }
 
-/// Letters stand out on an area mixed of less ink than this and paper.
-const PALE: f64 = 0.25;
-
-/// What is drawn below the labels: where they lie over some of it they need a rim of paper. Elsewhere a rim would show
-/// on a transparent background, and on the ground.
-#[derive(Default)]
-struct Under {
-    lines: Vec<(DVec2, DVec2)>,
-    areas: Vec<Rect>,
+/// The steps of a build-up at which something is there; the whole figure shows what stays to the end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Steps {
+    /// The first; 0 for always.
+    from: u32,
+    /// Whether it is gone after that.
+    only: bool,
 }
 
-impl Under {
-    fn of(items: &[Item]) -> Under {
-        let mut under = Under::default();
-        for item in items {
-            let (path, fill, stroke) = match item {
-                Item::Shape { path, fill, stroke } => (path, fill, stroke),
-                Item::Picture { place, .. } => {
-                    under.areas.push(*place);
-                    continue;
-                }
-                Item::Text { .. } => continue,
-            };
-            let pale = |paint: &Paint| match paint {
-                Paint::Solid(ink) => {
-                    matches!(ink.role, Role::Paper | Role::Ground) || ink.share < PALE
-                }
-                _ => false,
-            };
-            if fill.as_ref().is_some_and(|(paint, _)| !pale(paint)) {
-                under.areas.extend(path.bounds());
-            }
-            if stroke.is_some() {
-                under.lines.extend(path.chords());
-            }
+impl Steps {
+    /// Whether it is shown when `step` steps are, 0 for all of them.
+    fn shown(self, step: u32) -> bool {
+        match (self.only, step) {
+            (true, _) => step == self.from,
+            (false, 0) => true,
+            (false, _) => self.from <= step,
         }
-        under
     }
 
-    fn disturbs(&self, bounds: &Rect) -> bool {
-        self.areas.iter().any(|area| area.meets(bounds))
-            || self
-                .lines
-                .iter()
-                .any(|&(a, b)| bounds.length_within(a, b) > 0.0)
+    /// Whether the two are ever seen together.
+    fn meet(self, other: Steps) -> bool {
+        match (self.only, other.only) {
+            (true, true) => self.from == other.from,
+            (true, false) => other.from <= self.from,
+            (false, true) => self.from <= other.from,
+            (false, false) => true,
+        }
     }
+}
+
+/// Text at a fixed place.
+struct Fixed {
+    steps: Steps,
+    line: Line,
+    at: DVec2,
+    ink: Ink,
 }
 
 /// A figure being drawn.
+///
+/// Lengths are thousandths of the canvas's shorter side as long as there is room for letters of the usual size. Where
+/// there is not, the same figure is drawn on a larger sheet and made smaller as a whole, lines excepted: so a figure
+/// only ever knows letters of [`LABEL`] and [`NOTE`].
 pub struct Sheet {
     style: Style,
+    pub(crate) room: Room,
     canvas: DVec2,
-    frame: Rect,
-    items: Vec<Item>,
-    fixed: Vec<Item>,
-    boxes: Vec<LabelBox>,
-    labels: Vec<Label>,
+    pub(crate) frame: Rect,
+    now: Steps,
+    /// Where labels must stay, unless they say otherwise; none for the whole frame.
+    within: Option<Rect>,
+    items: Vec<(Steps, Item)>,
+    fixed: Vec<Fixed>,
+    labels: Vec<(Steps, Label)>,
     drawn: Vec<Drawn>,
     /// Grids of points and how many items lie below each.
-    centres: Vec<(usize, Centres)>,
+    centres: Vec<(usize, Steps, Centres)>,
+    /// The last step of all.
+    last: u32,
 }
 
 impl Sheet {
-    /// An empty sheet; `caption` is set along its lower border where the style asks for it.
+    /// An empty sheet with letters of the usual size; `caption` is set along its lower border where the style asks for
+    /// it.
     ///
     /// # Errors
     ///
     /// Those of a label's markup.
     pub fn new(style: &Style, caption: &str) -> Result<Sheet, FigureError> {
-        let shorter = f64::from(style.size.shorter());
-        let side = |pixels: u32| round_length(f64::from(pixels) * 1000.0 / shorter);
+        Sheet::with_room(style, caption, &Room::usual(style))
+    }
+
+    pub(crate) fn with_room(
+        style: &Style,
+        caption: &str,
+        room: &Room,
+    ) -> Result<Sheet, FigureError> {
+        let shorter = f64::from(style.size.shorter()) * room.zoom;
+        let side = |pixels: u32| f64::from(pixels) * 1000.0 / shorter;
         let canvas = DVec2::new(side(style.size.width()), side(style.size.height()));
+        let margin = DVec2::splat(MARGIN / room.zoom);
         let mut sheet = Sheet {
             style: *style,
+            room: room.clone(),
             canvas,
-            frame: Rect::new(DVec2::splat(MARGIN), canvas - DVec2::splat(MARGIN)),
+            frame: Rect::new(margin, canvas - margin),
+            now: Steps::default(),
+            within: None,
             items: Vec::new(),
             fixed: Vec::new(),
-            boxes: Vec::new(),
             labels: Vec::new(),
             drawn: Vec::new(),
             centres: Vec::new(),
+            last: 0,
         };
         if style.caption && !caption.is_empty() {
-            let lines = wrapped(caption, NOTE, sheet.frame.size().x)?;
+            let lines = sheet.wrapped(caption, NOTE, sheet.frame.size().x)?;
             for line in lines.into_iter().rev() {
-                let leading = NOTE * 1.35;
+                let leading = NOTE.max(sheet.least()) * 1.35;
                 let centre = DVec2::new(canvas.x * 0.5, sheet.frame.max.y - leading * 0.5);
-                sheet.set(line, centre, Role::Text.into());
+                let at = line.centred(centre);
+                sheet.set_at(line, at, Role::Text.into());
                 sheet.frame.max.y -= leading;
             }
             sheet.frame.max.y -= NOTE;
         }
+        sheet.reserve_strip()?;
         Ok(sheet)
     }
 
@@ -132,7 +149,7 @@ impl Sheet {
         &self.style
     }
 
-    /// Width and height in thousandths of the shorter side.
+    /// Width and height.
     pub fn canvas(&self) -> DVec2 {
         self.canvas
     }
@@ -140,6 +157,57 @@ impl Sheet {
     /// Where the figure may draw: the canvas without margin and caption.
     pub fn frame(&self) -> Rect {
         self.frame
+    }
+
+    /// Letters may not be smaller.
+    fn least(&self) -> f64 {
+        SMALLEST / self.room.zoom
+    }
+
+    /// Lays out `markup` for this sheet.
+    ///
+    /// # Errors
+    ///
+    /// Those of the markup.
+    pub fn lay_out(&self, markup: &str, size: f64) -> Result<Line, FigureError> {
+        Line::no_smaller(markup, size, self.least())
+    }
+
+    /// [`crate::text::wrapped`] for this sheet.
+    ///
+    /// # Errors
+    ///
+    /// Those of the markup.
+    pub fn wrapped(&self, markup: &str, size: f64, width: f64) -> Result<Vec<Line>, FigureError> {
+        wrapped_no_smaller(markup, size, self.least(), width)
+    }
+
+    /// What is drawn from now on comes with the `step`-th step of a build-up and stays; 0: it is always there.
+    pub fn step(&mut self, step: usize) {
+        self.now = Steps {
+            from: u32::try_from(step).unwrap_or(u32::MAX),
+            only: false,
+        };
+        self.last = self.last.max(self.now.from);
+    }
+
+    /// What is drawn from now on belongs to the `i`-th panel, counted from 0: it comes with step i + 1, and labels stay in
+    /// the panel or right beside it.
+    pub fn panel(&mut self, i: usize, panel: Rect) {
+        self.step(i + 1);
+        self.within = Some(panel.grown(0.45 * GUTTER));
+    }
+
+    /// What is drawn from now on belongs to no step and no panel.
+    pub fn whole(&mut self) {
+        self.step(0);
+        self.within = None;
+    }
+
+    /// What is drawn from now on is there at the `step`-th step alone; the whole figure is without it.
+    pub fn step_alone(&mut self, step: usize) {
+        self.step(step);
+        self.now.only = true;
     }
 
     /// Fills `path` by the non-zero rule.
@@ -178,25 +246,21 @@ impl Sheet {
         self.push(path, None, Some(stroke));
     }
 
-    /// Puts a shape on the list, every length rounded.
+    /// Puts a shape on the list.
     fn push(&mut self, path: Path, fill: Option<(Paint, FillRule)>, stroke: Option<Pen>) {
-        let path = path.map(round);
-        self.items.push(Item::Shape {
-            path,
-            fill: fill.map(|(fill, rule)| (fill.rounded(), rule)),
-            stroke: stroke.map(Pen::rounded),
-        });
+        let item = Item::Shape { path, fill, stroke };
+        self.items.push((self.now, item));
     }
 
     /// Puts a picture on the list, in a way that labels may cover.
     pub fn picture(&mut self, place: Rect, picture: Picture) {
-        let place = Rect::new(round(place.min), round(place.max));
-        self.items.push(Item::Picture { place, picture });
+        self.items
+            .push((self.now, Item::Picture { place, picture }));
     }
 
     /// The centre points of pixels; those below labels are left out.
     pub fn centres(&mut self, centres: Centres) {
-        self.centres.push((self.items.len(), centres));
+        self.centres.push((self.items.len(), self.now, centres));
     }
 
     /// Makes labels keep well off the lines of `path`, curves taken by their chords.
@@ -218,10 +282,12 @@ impl Sheet {
 
     /// Asks for a label, placed when the sheet is finished; earlier ones choose first.
     pub fn label(&mut self, label: Label) {
-        self.labels.push(label);
+        let within = label.within.or(self.within);
+        self.labels.push((self.now, Label { within, ..label }));
     }
 
-    /// Text at a fixed place, such as a tick; placed labels keep off it.
+    /// Text at a fixed place, such as a tick; placed labels keep off it. Beside its position (left, middle, right) the
+    /// middle of its capitals is level with it, so that neighbours stand on one baseline.
     ///
     /// # Errors
     ///
@@ -234,21 +300,23 @@ impl Sheet {
         size: f64,
         ink: impl Into<Ink>,
     ) -> Result<Rect, FigureError> {
-        let line = Line::new(markup, size)?;
-        let half = DVec2::new(line.width * 0.5, (line.ascent + line.descent) * 0.5);
-        let centre = match align {
-            Align::Left => at + DVec2::new(half.x, 0.0),
-            Align::Centre => at,
-            Align::Right => at - DVec2::new(half.x, 0.0),
-            Align::Below => at + DVec2::new(0.0, half.y),
-            Align::Above => at - DVec2::new(0.0, half.y),
+        let line = self.lay_out(markup, size)?;
+        let size = line.runs.iter().map(|run| run.size).fold(0.0, f64::max);
+        let several = markup.contains('\n');
+        let middle = if several {
+            0.5 * (line.ascent - line.descent)
+        } else {
+            0.5 * CAPITALS * size
         };
-        Ok(self.set(line, centre, ink.into()))
-    }
-
-    fn set(&mut self, line: Line, centre: DVec2, ink: Ink) -> Rect {
-        let at = line.centred(centre);
-        self.set_at(line, at, ink)
+        let half = 0.5 * line.width;
+        let start = match align {
+            Align::Left => at + DVec2::new(0.0, middle),
+            Align::Centre => at + DVec2::new(-half, middle),
+            Align::Right => at + DVec2::new(-line.width, middle),
+            Align::Below => at + DVec2::new(-half, line.ascent),
+            Align::Above => at - DVec2::new(half, line.descent),
+        };
+        Ok(self.set_at(line, start, ink.into()))
     }
 
     /// A laid-out line at a fixed place: its letters' middle at the height of `start`, whatever hangs below or rises.
@@ -259,84 +327,31 @@ impl Sheet {
 
     /// A laid-out line whose baseline starts at `at`.
     pub(crate) fn set_at(&mut self, line: Line, at: DVec2, ink: Ink) -> Rect {
-        let at = round(at);
         let bounds = line.bounds(at);
-        self.boxes.push(LabelBox {
-            bounds,
-            smallest: line.smallest(),
-            text: line.plain.clone(),
-        });
-        self.fixed.push(Item::Text {
+        let steps = self.now;
+        self.fixed.push(Fixed {
+            steps,
             line,
             at,
             ink,
-            halo: false,
         });
         bounds
     }
 
-    /// Places the labels and hands over the drawing.
+    /// Places the labels and hands over the drawing; what finds no place is in its [`Drawing::over`].
     ///
     /// # Errors
     ///
-    /// Those of the labels' markup; [`FigureError::NoRoom`] for a label without a free place.
-    pub fn finish(mut self, id: &str, title: &str) -> Result<Drawing, FigureError> {
-        let mut wanted = Vec::with_capacity(self.labels.len());
-        for label in &self.labels {
-            wanted.push(Wanted {
-                line: Line::new(&label.markup, label.size)?,
-                anchor: label.anchor,
-                reach: label.reach,
-                towards: label.towards,
-                may_lead: label.may_lead,
-                optional: label.optional,
-                frame: label.within.unwrap_or(self.frame),
-            });
-        }
-        let taken: Vec<Rect> = self
-            .boxes
-            .iter()
-            .map(|label| label.bounds.grown(HALO))
-            .collect();
-        let places = place(&wanted, &taken, &self.drawn)?;
-
-        let mut letters = Vec::with_capacity(places.len());
-        for ((label, wanted), place) in self.labels.iter().zip(wanted).zip(&places) {
-            let Some(place) = place else { continue };
-            if let Some((start, end)) = place.leader {
-                self.items.push(Item::Shape {
-                    path: Path::line(start, end).map(round),
-                    fill: None,
-                    stroke: Some(Pen::new(Role::Note, THIN)),
-                });
-            }
-            self.boxes.push(LabelBox {
-                bounds: place.bounds,
-                smallest: wanted.line.smallest(),
-                text: wanted.line.plain.clone(),
-            });
-            letters.push((wanted.line, *place, label.ink));
-        }
-        for (below, centres) in self.centres.iter().rev() {
-            let item = centres.item(&self.boxes);
-            self.items.insert((*below).min(self.items.len()), item);
-        }
-        let under = Under::of(&self.items);
-        self.items.append(&mut self.fixed);
-        self.items
-            .extend(letters.into_iter().map(|(line, place, ink)| Item::Text {
-                line,
-                at: place.at,
-                ink,
-                halo: under.disturbs(&place.bounds),
-            }));
-        Ok(Drawing {
-            id: id.to_owned(),
-            title: title.to_owned(),
-            style: self.style,
-            canvas: self.canvas,
-            items: self.items,
-            labels: self.boxes,
-        })
+    /// Those of the labels' markup.
+    pub fn finish(self, id: &str, title: &str) -> Result<Drawing, FigureError> {
+        let Settled {
+            mut drawing,
+            unplaced,
+            ..
+        } = self.settle(id, title, 0)?;
+        drawing
+            .over
+            .extend(unplaced.into_iter().map(|(_, plain)| plain));
+        Ok(drawing)
     }
 }

@@ -4,6 +4,7 @@ use core::fmt;
 use core::ops::RangeInclusive;
 use core::str::FromStr;
 
+use crate::colour::{Palette, contrast};
 use crate::error::FigureError;
 
 /// A picture's size in pixels; always within [`Size::SIDES`] and [`Size::MOST_PIXELS`].
@@ -149,6 +150,17 @@ choice! {
     Dark = "dark",
 }
 
+impl Theme {
+    /// The theme whose letters stand out on a colour, 0xRRGGBB.
+    pub fn on(rgb: u32) -> Theme {
+        if contrast(0xFF_FF_FF, rgb) > contrast(0, rgb) {
+            Theme::Dark
+        } else {
+            Theme::Light
+        }
+    }
+}
+
 choice! {
     /// The languages of the lectures.
     Language, "--lang",
@@ -162,13 +174,92 @@ choice! {
     Hr = "hr",
 }
 
-choice! {
-    /// What lies behind the figure.
-    Background, "--background",
+/// What lies behind the figure.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Background {
     /// The theme's paper.
-    Theme = "theme",
+    #[default]
+    Theme,
     /// Nothing: the slide shows through.
-    Transparent = "transparent",
+    Transparent,
+    /// A colour, 0xRRGGBB.
+    Colour(u32),
+}
+
+impl FromStr for Background {
+    type Err = FigureError;
+
+    fn from_str(text: &str) -> Result<Self, FigureError> {
+        let hex = |text: &str| {
+            let digits = text.strip_prefix('#')?;
+            let plain = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
+            plain
+                .then(|| u32::from_str_radix(digits, 16).ok())
+                .flatten()
+        };
+        match text.to_ascii_lowercase().as_str() {
+            "theme" => Ok(Background::Theme),
+            "transparent" => Ok(Background::Transparent),
+            other => hex(other)
+                .map(Background::Colour)
+                .ok_or_else(|| FigureError::Value {
+                    option: "--background",
+                    value: text.to_owned(),
+                    allowed: "theme, transparent, or a colour #RRGGBB of six hexadecimal digits"
+                        .to_owned(),
+                }),
+        }
+    }
+}
+
+impl fmt::Display for Background {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Background::Theme => f.write_str("theme"),
+            Background::Transparent => f.write_str("transparent"),
+            Background::Colour(rgb) => write!(f, "#{rgb:06x}"),
+        }
+    }
+}
+
+/// How large letters are, in hundredths of the usual size; what does not fit gets smaller all the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TextScale(u16);
+
+impl Default for TextScale {
+    fn default() -> Self {
+        TextScale(100)
+    }
+}
+
+impl TextScale {
+    /// The usual size times this.
+    pub fn factor(self) -> f64 {
+        f64::from(self.0) / 100.0
+    }
+}
+
+impl FromStr for TextScale {
+    type Err = FigureError;
+
+    fn from_str(text: &str) -> Result<Self, FigureError> {
+        let factor: Option<f64> = text.trim().parse().ok();
+        let hundredths = factor.filter(|factor| (1.0..=2.0).contains(factor));
+        hundredths
+            // Between 100 and 200.
+            .map(|factor| TextScale((factor * 100.0).round() as u16))
+            .ok_or_else(|| FigureError::Value {
+                option: "--text-scale",
+                value: text.to_owned(),
+                allowed: "a number from 1 to 2".to_owned(),
+            })
+    }
+}
+
+impl fmt::Display for TextScale {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.factor())
+    }
 }
 
 choice! {
@@ -204,6 +295,22 @@ pub struct Style {
     pub text: TextForm,
     /// Whether a sentence below says what the figure shows.
     pub caption: bool,
+    /// Size of letters.
+    pub text_scale: TextScale,
+}
+
+impl Style {
+    /// The colours of roles.
+    pub fn palette(&self) -> Palette {
+        let paper = match self.background {
+            Background::Colour(rgb) => Some(rgb),
+            _ => None,
+        };
+        Palette {
+            theme: self.theme,
+            paper,
+        }
+    }
 }
 
 impl Default for Style {
@@ -215,6 +322,7 @@ impl Default for Style {
             background: Background::Theme,
             text: TextForm::Paths,
             caption: false,
+            text_scale: TextScale::default(),
         }
     }
 }

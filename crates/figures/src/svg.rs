@@ -13,7 +13,7 @@ use crate::error::FigureError;
 use crate::font::Cut;
 use crate::path::{Path, Segment, round, round_length};
 use crate::png;
-use crate::style::{Background, TextForm, Theme};
+use crate::style::{Background, TextForm};
 use crate::text::Line;
 
 /// The licence of every figure.
@@ -58,11 +58,15 @@ fn written(drawing: &Drawing, attributes: &str, corner: f64) -> Result<String, F
         canvas.y
     ));
     writer.line(&format!("<title>{title}</title>"));
+    if !drawing.over.is_empty() {
+        let over = escaped(&drawing.over.join("; "));
+        writer.line(&format!("<desc>{over}</desc>"));
+    }
     writer.line(&format!(
         "<metadata>Figure {} of the Ombra graphics course. {LICENCE}, free to use in slides: {LICENCE_URL}</metadata>",
         escaped(&drawing.id)
     ));
-    if drawing.style.background == Background::Theme {
+    if drawing.style.background != Background::Transparent {
         let paper = writer.colour("fill", Role::Paper.into());
         let round = if corner > 0.0 {
             format!(" rx=\"{corner}\"")
@@ -95,12 +99,11 @@ impl Writer<'_> {
         self.out.push('\n');
     }
 
-    fn theme(&self) -> Theme {
-        self.drawing.style.theme
-    }
-
     fn colour(&self, attribute: &str, ink: Ink) -> String {
-        let mut text = format!(" {attribute}=\"#{:06x}\"", ink.rgb(self.theme()));
+        let mut text = format!(
+            " {attribute}=\"#{:06x}\"",
+            ink.rgb(self.drawing.style.palette())
+        );
         if ink.alpha < 1.0 {
             let _ = write!(text, " {attribute}-opacity=\"{}\"", round_length(ink.alpha));
         }

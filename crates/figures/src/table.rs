@@ -29,10 +29,10 @@ impl Table {
     /// # Errors
     ///
     /// Those of the markup.
-    pub fn new(lines: &[String], width: f64) -> Result<Table, FigureError> {
+    pub fn new(sheet: &Sheet, lines: &[String], width: f64) -> Result<Table, FigureError> {
         let lines: Vec<Line> = lines
             .iter()
-            .map(|line| Line::new(line, LABEL))
+            .map(|line| sheet.lay_out(line, LABEL))
             .collect::<Result<_, _>>()?;
         let largest = |of: fn(&Line) -> f64| lines.iter().map(of).fold(0.0, f64::max);
         let (widest, ascent) = (largest(|line| line.width), largest(|line| line.ascent));
@@ -89,9 +89,9 @@ mod tests {
     #[test]
     fn it_is_as_large_as_it_says_and_no_two_lines_meet() {
         for (n, width) in [(1, 0.0), (8, 0.0), (8, 600.0), (7, 1600.0), (16, 900.0)] {
-            let table = Table::new(&lines(n), width).unwrap();
-            let size = table.size();
             let mut sheet = Sheet::new(&Style::default(), "").unwrap();
+            let table = Table::new(&sheet, &lines(n), width).unwrap();
+            let size = table.size();
             let corner = sheet.frame().min;
             table.draw(&mut sheet, corner);
             let labels = sheet.finish("a/b", "").unwrap().labels;
@@ -114,6 +114,7 @@ mod tests {
 
     #[test]
     fn nothing_is_a_table_too() {
-        assert!(Table::new(&[], 500.0).unwrap().size().is_finite());
+        let sheet = Sheet::new(&Style::default(), "").unwrap();
+        assert!(Table::new(&sheet, &[], 500.0).unwrap().size().is_finite());
     }
 }

@@ -23,11 +23,11 @@ use crate::font::{Cut, Glyph};
 use crate::path::{Path, Rect, round};
 
 /// Letter size (em) below which nobody in the back row reads, in thousandths of the shorter side.
-pub const SMALLEST: f64 = 21.0;
+pub const SMALLEST: f64 = 31.0;
 /// Letter size of labels.
-pub const LABEL: f64 = 32.0;
+pub const LABEL: f64 = 45.0;
 /// Letter size of ticks, captions and notes.
-pub const NOTE: f64 = 26.0;
+pub const NOTE: f64 = 37.0;
 
 /// Scripts and stacked numbers, as a share of the label's size.
 const SCRIPT: f64 = 0.7;
@@ -35,8 +35,10 @@ const SCRIPT: f64 = 0.7;
 const MATH_AXIS: f64 = 0.314;
 /// From one baseline to the next, in ems.
 const LEADING: f64 = 1.3;
-/// From a fraction's bar to its letters, at least, in ems.
-const CLEAR: f64 = 0.07;
+/// From the middle of a fraction's bar to its letters, at least, in ems: half the bar and 0.18 clear of it.
+const CLEAR: f64 = 0.18 + BAR;
+/// Half the height of a fraction's bar, in ems.
+const BAR: f64 = 0.035;
 /// Height of capitals, in ems.
 pub(crate) const CAPITALS: f64 = 0.729;
 
@@ -80,11 +82,18 @@ impl Line {
     ///
     /// [`FigureError::Markup`], [`FigureError::MissingGlyph`].
     pub fn new(markup: &str, size: f64) -> Result<Line, FigureError> {
-        let size = if size > SMALLEST { size } else { SMALLEST };
-        let mut lines = markup.split('\n').map(|line| setter::set(line, size));
+        Line::no_smaller(markup, size, SMALLEST)
+    }
+
+    /// The same with no letter below `least`, scripts included.
+    pub(crate) fn no_smaller(markup: &str, size: f64, least: f64) -> Result<Line, FigureError> {
+        let size = if size > least { size } else { least };
+        let mut lines = markup
+            .split('\n')
+            .map(|line| setter::set(line, size, least));
         let mut whole = match lines.next() {
             Some(first) => first?,
-            None => setter::set("", size)?,
+            None => setter::set("", size, least)?,
         };
         for (below, line) in lines.enumerate() {
             let mut line = line?;
@@ -98,6 +107,25 @@ impl Line {
             whole.bars.append(&mut line.bars);
         }
         Ok(whole)
+    }
+
+    /// Every length times `by`.
+    pub(crate) fn scaled(mut self, by: f64) -> Line {
+        for run in &mut self.runs {
+            run.size *= by;
+            run.at *= by;
+            run.width *= by;
+            for (_, offset) in &mut run.glyphs {
+                *offset *= by;
+            }
+        }
+        for bar in &mut self.bars {
+            *bar = Rect::new(bar.min * by, bar.max * by);
+        }
+        self.width *= by;
+        self.ascent *= by;
+        self.descent *= by;
+        self
     }
 
     /// Puts what a reader says from the byte `from` on in brackets if it is a sum.
@@ -180,11 +208,22 @@ pub fn escape(words: &str) -> String {
 ///
 /// As [`Line::new`].
 pub fn wrapped(markup: &str, size: f64, width: f64) -> Result<Vec<Line>, FigureError> {
-    let mut lines = filled(markup, size, |line| line <= width)?;
+    wrapped_no_smaller(markup, size, SMALLEST, width)
+}
+
+/// The same with no letter below `least`.
+pub(crate) fn wrapped_no_smaller(
+    markup: &str,
+    size: f64,
+    least: f64,
+    width: f64,
+) -> Result<Vec<Line>, FigureError> {
+    let set = |words: &str| Line::no_smaller(words, size, least);
+    let mut lines = filled(markup, set, |line| line <= width)?;
     // Ever narrower, until that needs a line more or no line can be broken.
     while lines.len() > 1 {
         let most = widest(&lines);
-        let narrower = filled(markup, size, |line| line < most)?;
+        let narrower = filled(markup, set, |line| line < most)?;
         if narrower.len() > lines.len() || widest(&narrower) >= most {
             break;
         }
@@ -194,7 +233,11 @@ pub fn wrapped(markup: &str, size: f64, width: f64) -> Result<Vec<Line>, FigureE
 }
 
 /// Each line as full as `fits` allows.
-fn filled(markup: &str, size: f64, fits: impl Fn(f64) -> bool) -> Result<Vec<Line>, FigureError> {
+fn filled(
+    markup: &str,
+    set: impl Fn(&str) -> Result<Line, FigureError>,
+    fits: impl Fn(f64) -> bool,
+) -> Result<Vec<Line>, FigureError> {
     let mut lines = Vec::new();
     let mut last: Option<(String, Line)> = None;
     for word in markup.split(' ') {
@@ -202,11 +245,11 @@ fn filled(markup: &str, size: f64, fits: impl Fn(f64) -> bool) -> Result<Vec<Lin
             Some((words, _)) => format!("{words} {word}"),
             None => word.to_owned(),
         };
-        let line = Line::new(&longer, size)?;
+        let line = set(&longer)?;
         last = match last.take() {
             Some((_, before)) if !fits(line.width) => {
                 lines.push(before);
-                Some((word.to_owned(), Line::new(word, size)?))
+                Some((word.to_owned(), set(word)?))
             }
             _ => Some((longer, line)),
         };

@@ -78,6 +78,38 @@ macro_rules! words {
 pub(crate) use words;
 
 words! {
+    /// Why a figure takes nothing.
+    pub FIXED {
+        en: "it shows the lecture’s own example",
+        it: "mostra l’esempio della lezione",
+        cs: "ukazuje příklad z přednášky",
+        hr: "prikazuje primjer iz predavanja",
+    }
+
+    /// An input: the light.
+    pub LIGHT {
+        en: "the light",
+        it: "la luce",
+        cs: "zdroj světla",
+        hr: "izvor svjetla",
+    }
+
+    /// An input: the plane.
+    pub PLANE {
+        en: "the plane that receives the shadow",
+        it: "il piano che riceve l’ombra",
+        cs: "rovina, na kterou dopadá stín",
+        hr: "ravnina na koju pada sjena",
+    }
+
+    /// An input: the object.
+    pub OBJECT {
+        en: "the object",
+        it: "l’oggetto",
+        cs: "těleso",
+        hr: "objekt",
+    }
+
     /// Pixels after their number, five or more or none.
     pub PIXELS_OF {
         en: "pixels",

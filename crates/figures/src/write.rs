@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::FigureError;
-use crate::figure::{Figure, Inputs};
+use crate::figure::Figure;
 use crate::gallery::gallery;
+use crate::input::Inputs;
 use crate::style::{Format, Style};
 use crate::whole::{self, Refused};
 use crate::{png, svg};
@@ -31,7 +32,17 @@ pub fn together(files: &[(&Path, &[u8])]) -> Result<(), FigureError> {
     })
 }
 
-/// Draws `figure` and writes it below `folder` in every format, `shadows/cube-infinity.svg`.
+/// What was written of a figure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Written {
+    /// The files, one a format.
+    pub files: Vec<PathBuf>,
+    /// Labels for which there was no room.
+    pub over: Vec<String>,
+}
+
+/// Draws `figure` and writes it below `folder` in every format: `shadows/cube-infinity.svg`, and
+/// `shadows/cube-infinity-step-2.svg` for a step of it.
 ///
 /// # Errors
 ///
@@ -42,7 +53,7 @@ pub fn figure(
     style: &Style,
     inputs: &Inputs,
     formats: &[Format],
-) -> Result<Vec<PathBuf>, FigureError> {
+) -> Result<Written, FigureError> {
     let drawing = figure.draw(style, inputs)?;
     let mut files = Vec::with_capacity(formats.len());
     for &format in formats {
@@ -50,14 +61,22 @@ pub fn figure(
             Format::Svg => svg::svg(&drawing)?.into_bytes(),
             Format::Png => png::png(&drawing)?,
         };
-        files.push((folder.join(format!("{}.{format}", figure.id)), bytes));
+        let step = match inputs.step {
+            0 => String::new(),
+            step => format!("-step-{step}"),
+        };
+        let name = format!("{}{step}.{format}", figure.id);
+        files.push((folder.join(name), bytes));
     }
     let pairs: Vec<(&Path, &[u8])> = files
         .iter()
         .map(|(path, bytes)| (path.as_path(), bytes.as_slice()))
         .collect();
     together(&pairs)?;
-    Ok(files.into_iter().map(|(path, _)| path).collect())
+    Ok(Written {
+        files: files.into_iter().map(|(path, _)| path).collect(),
+        over: drawing.over,
+    })
 }
 
 /// Writes `index.html` into `folder` for the figures written there.
@@ -143,7 +162,7 @@ mod tests {
         assert!(draw().is_err());
         assert_eq!(names(png.parent().unwrap()).len(), 1);
         fs::remove_dir(&png).unwrap();
-        assert_eq!(draw().unwrap().len(), 2);
+        assert_eq!(draw().unwrap().files.len(), 2);
         assert_eq!(names(png.parent().unwrap()).len(), 2);
     }
 

@@ -9,12 +9,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use ombra_figures::course::{names, select};
 use ombra_figures::docs::write_docs;
 use ombra_figures::error::FigureError;
-use ombra_figures::figure::{Figure, Inputs, Takes, parse_light, parse_plane};
-use ombra_figures::object::NamedMesh;
-use ombra_figures::style::{Background, Format, Language, Size, Style, TextForm, Theme};
+use ombra_figures::figure::Figure;
+use ombra_figures::input::{Inputs, Settings};
+use ombra_figures::style::{Background, Format, Language, Size, Style, TextForm, TextScale, Theme};
 use ombra_figures::write;
-use ombra_math::glam::DVec4;
-use ombra_math::plane::Plane;
 
 /// What `ombra figures` takes.
 #[derive(Args)]
@@ -28,22 +26,36 @@ pub struct Options {
     /// Size in pixels
     #[arg(long, default_value_t = Size::FULL_HD, value_name = "WIDTHxHEIGHT", value_parser = size)]
     size: Size,
-    #[arg(long, default_value_t = Theme::Light, value_parser = one_of(Theme::ALL, Theme::word))]
-    theme: Theme,
+    /// Light or dark [default: light, on a dark background dark]
+    #[arg(long, value_parser = one_of(Theme::ALL, Theme::word))]
+    theme: Option<Theme>,
     /// Language of the labels
     #[arg(long, default_value_t = Language::En, value_parser = one_of(Language::ALL, Language::word))]
     lang: Language,
-    #[arg(long, default_value_t = Background::Theme, value_parser = one_of(Background::ALL, Background::word))]
+    /// theme, transparent, or a colour #RRGGBB
+    #[arg(long, default_value_t = Background::Theme, value_parser = background)]
     background: Background,
-    /// Your own light x,y,z,w: w = 1 a place, w = 0 a direction towards the light
-    #[arg(long, value_name = "X,Y,Z,W", allow_hyphen_values = true, value_parser = light)]
-    light: Option<DVec4>,
-    /// Your own plane a,b,c,d: ax + by + cz + d = 0
-    #[arg(long, value_name = "A,B,C,D", allow_hyphen_values = true, value_parser = plane)]
-    plane: Option<Plane>,
-    /// Your own object: an OBJ file, or cube, teapot, sphere, torus
-    #[arg(long, value_name = "FILE.obj|NAME", value_parser = object)]
-    mesh: Option<NamedMesh>,
+    /// Size of letters, from 1 to 2; what does not fit gets smaller all the same
+    #[arg(long, default_value_t = TextScale::default(), value_parser = text_scale)]
+    text_scale: TextScale,
+    /// An input of the figures, such as a=2,14; repeatable; `ombra list FIGURE` shows them
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    set: Vec<String>,
+    /// Your own light x,y,z,w: w = 1 a place, w = 0 a direction towards the light; short for --set light=…
+    #[arg(long, value_name = "X,Y,Z,W", allow_hyphen_values = true)]
+    light: Option<String>,
+    /// Your own plane a,b,c,d: ax + by + cz + d = 0; short for --set plane=…
+    #[arg(long, value_name = "A,B,C,D", allow_hyphen_values = true)]
+    plane: Option<String>,
+    /// Your own object: an OBJ file, or cube, teapot, sphere, torus; short for --set mesh=…
+    #[arg(long, value_name = "FILE.obj|NAME")]
+    mesh: Option<String>,
+    /// Moves and scales the object to where the lecture has its own
+    #[arg(long, requires = "mesh")]
+    fit: bool,
+    /// A file a step, all in one layout, for slides that build up
+    #[arg(long)]
+    steps: bool,
     /// SVG with text elements instead of outlines, for editing
     #[arg(long)]
     text: bool,
@@ -54,7 +66,7 @@ pub struct Options {
     #[arg(long, default_value = "target/figures", value_name = "DIR")]
     out: PathBuf,
     /// Rewrites the small SVGs committed with the crates and the notes; run from the repository's root
-    #[arg(long, conflicts_with_all = ["select", "format", "size", "theme", "lang", "background", "light", "plane", "mesh", "text", "caption", "out"])]
+    #[arg(long, conflicts_with_all = ["select", "format", "size", "theme", "lang", "background", "text_scale", "set", "light", "plane", "mesh", "fit", "steps", "text", "caption", "out"])]
     docs: bool,
 }
 
@@ -80,15 +92,11 @@ pub fn size(text: &str) -> Result<Size, String> {
     text.parse().map_err(allowed)
 }
 
-fn light(text: &str) -> Result<DVec4, String> {
-    parse_light(text).map_err(allowed)
+fn background(text: &str) -> Result<Background, String> {
+    text.parse().map_err(allowed)
 }
 
-fn plane(text: &str) -> Result<Plane, String> {
-    parse_plane(text).map_err(allowed)
-}
-
-fn object(text: &str) -> Result<NamedMesh, String> {
+fn text_scale(text: &str) -> Result<TextScale, String> {
     text.parse().map_err(allowed)
 }
 
@@ -96,7 +104,7 @@ pub fn run(options: &Options) -> Result<(), String> {
     if options.docs {
         return docs();
     }
-    draw(options).map_err(|error| named(&options.out, &error))
+    draw(options)
 }
 
 /// What went wrong; where it was with writing, with the option that said where to.
@@ -107,48 +115,129 @@ pub fn named(out: &Path, error: &FigureError) -> String {
     }
 }
 
-fn draw(options: &Options) -> Result<(), FigureError> {
-    let chosen = select(&options.select)?;
-    let style = Style {
-        size: options.size,
-        theme: options.theme,
-        language: options.lang,
-        background: options.background,
-        text: if options.text {
-            TextForm::Text
-        } else {
-            TextForm::Paths
-        },
-        caption: options.caption,
-    };
-    let inputs = Inputs {
-        light: options.light,
-        plane: options.plane,
-        mesh: options.mesh.clone(),
-    };
-    let formats = each_once(&options.format);
-    refuse_what_none_takes(&chosen, &inputs)?;
-    // Everything is laid out before anything is written.
-    for figure in &chosen {
-        figure.draw(&style, &inputs)?;
+impl Options {
+    fn style(&self) -> Style {
+        let usual = match self.background {
+            Background::Colour(rgb) => Theme::on(rgb),
+            _ => Theme::Light,
+        };
+        Style {
+            size: self.size,
+            theme: self.theme.unwrap_or(usual),
+            language: self.lang,
+            background: self.background,
+            text: if self.text {
+                TextForm::Text
+            } else {
+                TextForm::Paths
+            },
+            caption: self.caption,
+            text_scale: self.text_scale,
+        }
     }
-    let bar = progress(chosen.len() as u64);
-    let mut files = 0;
+
+    fn settings(&self) -> Result<Settings, FigureError> {
+        let mut settings = Settings::default();
+        settings.fit = self.fit;
+        for text in &self.set {
+            settings.set(text)?;
+        }
+        let short = [
+            ("light", &self.light),
+            ("plane", &self.plane),
+            ("mesh", &self.mesh),
+        ];
+        for (name, text) in short {
+            if let Some(text) = text {
+                settings.set(&format!("{name}={text}"))?;
+            }
+        }
+        Ok(settings)
+    }
+}
+
+/// One figure, or one step of it, to be written.
+struct Job {
+    figure: &'static Figure,
+    inputs: Inputs,
+}
+
+fn draw(options: &Options) -> Result<(), String> {
+    let said = |error: FigureError| named(&options.out, &error);
+    let chosen = select(&options.select).map_err(said)?;
+    let style = options.style();
+    let formats = each_once(&options.format);
+    let mut settings = options.settings().map_err(said)?;
+    settings.check(&chosen).map_err(said)?;
+    // What is mistyped is told before anything is written; what cannot be drawn stops no other figure.
+    let mut jobs = Vec::new();
+    let mut refused = Vec::new();
     for figure in &chosen {
+        let inputs = settings.of(figure).map_err(said)?;
+        let steps = if options.steps {
+            figure.steps(&style, &inputs)
+        } else {
+            Ok(0)
+        };
+        match steps {
+            Ok(0) => jobs.push(Job { figure, inputs }),
+            Ok(last) => jobs.extend((1..=last).map(|step| {
+                let mut inputs = inputs.clone();
+                inputs.step = step;
+                Job { figure, inputs }
+            })),
+            Err(error) => refused.push(format!("{}: {error}", figure.id)),
+        }
+    }
+
+    let bar = progress(jobs.len() as u64);
+    let (mut files, mut drawn) = (0, Vec::new());
+    for Job { figure, inputs } in &jobs {
         bar.set_message(figure.id);
-        files += write::figure(&options.out, figure, &style, &inputs, &formats)?.len();
+        match write::figure(&options.out, figure, &style, inputs, &formats) {
+            Ok(written) => {
+                files += written.files.len();
+                if !written.over.is_empty() {
+                    bar.suspend(|| {
+                        eprintln!(
+                            "ombra: {}: no room for: {}",
+                            figure.id,
+                            written.over.join("; ")
+                        );
+                    });
+                }
+                if drawn.last() != Some(&figure.id) {
+                    drawn.push(figure.id);
+                }
+            }
+            Err(error @ FigureError::Write { .. }) => return Err(said(error)),
+            Err(error) => refused.push(format!("{}: {error}", figure.id)),
+        }
         bar.inc(1);
     }
-    let index = write::index(&options.out, &chosen, &style, &inputs, &formats)?;
     bar.finish_and_clear();
-    crate::print(format_args!(
-        "{}, {}, in {}; gallery: {}",
-        counted(chosen.len(), "figure"),
-        counted(files, "file"),
-        options.out.display(),
-        index.display()
-    ));
-    Ok(())
+    let written: Vec<&Figure> = chosen
+        .iter()
+        .copied()
+        .filter(|figure| drawn.contains(&figure.id))
+        .collect();
+    if !written.is_empty() {
+        let inputs = Inputs::default();
+        let index =
+            write::index(&options.out, &written, &style, &inputs, &formats).map_err(said)?;
+        crate::print(format_args!(
+            "{}, {}, in {}; gallery: {}",
+            counted(written.len(), "figure"),
+            counted(files, "file"),
+            options.out.display(),
+            index.display()
+        ));
+    }
+    if refused.is_empty() {
+        Ok(())
+    } else {
+        Err(refused.join("\nombra: "))
+    }
 }
 
 /// `1 figure`, `2 figures`.
@@ -160,35 +249,6 @@ fn counted(n: usize, thing: &str) -> String {
 pub fn each_once(formats: &[Format]) -> Vec<Format> {
     let all = Format::ALL.iter().copied();
     all.filter(|format| formats.contains(format)).collect()
-}
-
-/// An option that no chosen figure takes is a mistake worth telling.
-fn refuse_what_none_takes(chosen: &[&Figure], inputs: &Inputs) -> Result<(), FigureError> {
-    let taken = |takes: fn(&Takes) -> bool| chosen.iter().any(|figure| takes(&figure.takes));
-    let given = [
-        (
-            "--light",
-            inputs.light.is_some(),
-            taken(|takes| takes.light),
-        ),
-        (
-            "--plane",
-            inputs.plane.is_some(),
-            taken(|takes| takes.plane),
-        ),
-        ("--mesh", inputs.mesh.is_some(), taken(|takes| takes.mesh)),
-    ];
-    for (option, given, taken) in given {
-        if given && !taken {
-            let ids: Vec<_> = chosen.iter().map(|figure| figure.id).collect();
-            let reason = format!(
-                "{option} moves nothing in {}: 'ombra list' says which figures take it",
-                ids.join(", ")
-            );
-            return Err(FigureError::Scene { reason });
-        }
-    }
-    Ok(())
 }
 
 fn docs() -> Result<(), String> {

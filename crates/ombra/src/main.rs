@@ -33,10 +33,7 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Figures(options) => figures::run(&options),
         Command::Trade(options) => trade::run(&options),
-        Command::List(options) => {
-            list::run(&options);
-            Ok(())
-        }
+        Command::List(options) => list::run(&options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,4 +1,4 @@
-//! What the figures of clipping share: a window and the part of the plane around it.
+//! What the figures of clipping share: a window and the part of the plane around it, and how they are asked for.
 
 use ombra_clip::Window;
 use ombra_math::glam::DVec2;
@@ -6,9 +6,11 @@ use ombra_math::glam::DVec2;
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
+use crate::input::Ask;
 use crate::path::{Path, Rect};
 use crate::section::Section;
 use crate::sheet::{Label, Sheet};
+use crate::words::words;
 
 /// A window on the canvas and the part of the plane shown around it.
 pub(super) struct Board {
@@ -109,3 +111,65 @@ pub(super) fn corners(window: &Window) -> [DVec2; 4] {
 
 /// Names of the lines in the order of [`Board::lines`].
 pub(super) const NAMES: [&str; 4] = ["*y*_{max}", "*y*_{min}", "*x*_{max}", "*x*_{min}"];
+
+words! {
+    /// An input.
+    WINDOW_WORD {
+        en: "two opposite corners of the window",
+        it: "due vertici opposti del rettangolo di clipping",
+        cs: "dva protilehlé rohy okna",
+        hr: "dva nasuprotna vrha prozora",
+    }
+
+    /// An input.
+    pub(super) FIRST_END {
+        en: "the first end of the segment",
+        it: "il primo estremo del segmento",
+        cs: "první konec úsečky",
+        hr: "prvi kraj dužine",
+    }
+
+    /// An input.
+    pub(super) LAST_END {
+        en: "the last end of the segment",
+        it: "il secondo estremo del segmento",
+        cs: "druhý konec úsečky",
+        hr: "drugi kraj dužine",
+    }
+}
+
+/// Where points and corners may lie.
+pub(super) const RANGE: [[f64; 2]; 2] = [[-40.0; 2], [40.0; 2]];
+
+/// A window to be asked for.
+pub(super) const fn asked(default: &'static [[f64; 2]; 2]) -> Ask<Vec<DVec2>> {
+    Ask::polygon("window", "", WINDOW_WORD, default, [2, 2], RANGE)
+}
+
+/// The window between two corners.
+pub(super) fn between(corners: &[DVec2]) -> Window {
+    let (a, b) = match corners {
+        [a, b, ..] => (*a, *b),
+        _ => (DVec2::ZERO, DVec2::ZERO),
+    };
+    Window {
+        min: a.min(b),
+        max: a.max(b),
+    }
+}
+
+/// What is shown of the plane: the window and `points`, with `around` of the longer side free on every side.
+pub(super) fn shown(window: &Window, points: &[DVec2], around: f64) -> Window {
+    let (min, max) = points
+        .iter()
+        .fold((window.min, window.max), |(min, max), &p| {
+            (min.min(p), max.max(p))
+        });
+    // A single point has no size of its own.
+    let side = (max - min).max_element();
+    let free = DVec2::splat(around * if side > 0.0 { side } else { 1.0 });
+    Window {
+        min: min - free,
+        max: max + free,
+    }
+}

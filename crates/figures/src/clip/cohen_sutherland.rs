@@ -1,29 +1,28 @@
 //! Cohen–Sutherland: a segment cut twice, with the codes at every step.
 
+use ombra_clip::Segment;
 use ombra_clip::cohen_sutherland::{Decision, Step, trace};
 use ombra_clip::window::Side;
-use ombra_clip::{Segment, Window};
 use ombra_math::glam::DVec2;
 
-use super::board::{Board, NAMES, window};
+use super::board::{Board, FIRST_END, LAST_END, NAMES, RANGE, asked, between, shown};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, NORMAL, Pen, THIN};
 use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
+use crate::input::{Ask, Inputs};
 use crate::marks;
 use crate::panels::panels;
-use crate::path::Rect;
-use crate::sheet::{Align, Sheet};
+use crate::sheet::{Label, Sheet};
 use crate::style::Language;
-use crate::text::LABEL;
 use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "clip/cohen-sutherland-steps",
-    takes: Takes::NOTHING,
+    takes: Takes::These(&[A.input, B.input, WINDOW.input]),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
-    drawn: |sheet, _| draw(sheet),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
+    drawn: draw,
 };
 
 words! {
@@ -66,19 +65,26 @@ words! {
     }
 }
 
-const WINDOW: Window = window(0.0, 0.0, 10.0, 10.0);
-const SHOWN: Window = window(-4.0, -5.2, 14.0, 15.2);
-/// Cut above, then below.
-const SEGMENT: Segment = Segment::new(DVec2::new(2.0, 14.0), DVec2::new(8.0, -4.0));
+/// Cut above, below and on the right: each kind of bit occurs.
+const A: Ask<DVec2> = Ask::point("a", "*A*", FIRST_END, [-4.0, 13.0], RANGE);
+const B: Ask<DVec2> = Ask::point("b", "*B*", LAST_END, [14.0, -2.0], RANGE);
+const WINDOW: Ask<Vec<DVec2>> = asked(&[[0.0, 0.0], [10.0, 10.0]]);
+/// Free around window and segment.
+const AROUND: f64 = 0.12;
 
-fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
+fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let language = sheet.style().language;
-    let steps = trace(&WINDOW, SEGMENT);
+    let segment = Segment::new(inputs.get(&A), inputs.get(&B));
+    let window = between(&inputs.get(&WINDOW));
+    let shown = shown(&window, &[segment.a, segment.b], AROUND);
+    let steps = trace(&window, segment);
     let lines: Vec<String> = steps.iter().map(|step| decision(step, language)).collect();
     let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
-    let panels = panels(sheet, &lines, 1.5)?;
-    for (panel, step) in panels.into_iter().zip(&steps) {
-        draw_step(sheet, panel, step)?;
+    let size = shown.max - shown.min;
+    let panels = panels(sheet, &lines, (size.y / size.x).clamp(0.5, 2.0))?;
+    for (i, (panel, step)) in panels.into_iter().zip(&steps).enumerate() {
+        sheet.panel(i, panel);
+        draw_step(sheet, Board::fit(window, shown, panel)?, segment, step)?;
     }
     Ok(())
 }
@@ -110,18 +116,30 @@ fn line(side: Side) -> (&'static str, &'static str) {
     }
 }
 
-fn draw_step(sheet: &mut Sheet, panel: Rect, step: &Step) -> Result<(), FigureError> {
-    let board = Board::fit(WINDOW, SHOWN, panel)?;
+fn draw_step(
+    sheet: &mut Sheet,
+    board: Board,
+    segment: Segment,
+    step: &Step,
+) -> Result<(), FigureError> {
     board.draw_window(sheet);
-    let [above, below, ..] = board.lines();
-    for ([a, b], name) in [above, below].into_iter().zip(NAMES) {
-        let [a, b] = [a, b].map(|p| board.at(p));
-        sheet.line(a, b, Pen::new(Role::Receiver, THIN).dashed());
-        let place = a - DVec2::new(0.0, 0.8 * LABEL);
-        sheet.text(place, Align::Left, name, LABEL, Role::Text)?;
+    let cut = match step.decision {
+        Decision::Cut { side, .. } => Some(side),
+        _ => None,
+    };
+    // The line that cuts, with its name.
+    let sides = [Side::Above, Side::Below, Side::Right, Side::Left];
+    for ((line, name), side) in board.lines().into_iter().zip(NAMES).zip(sides) {
+        if cut == Some(side) {
+            let [a, b] = line.map(|p| board.at(p));
+            sheet.line(a, b, Pen::new(Role::Receiver, THIN).dashed());
+            let label =
+                Label::new(b, name).towards(if a.y == b.y { DVec2::NEG_Y } else { DVec2::X });
+            sheet.label(label.reach(4.0).beside());
+        }
     }
 
-    let all = [SEGMENT.a, SEGMENT.b].map(|p| board.at(p));
+    let all = [segment.a, segment.b].map(|p| board.at(p));
     sheet.line(all[0], all[1], Pen::new(Role::Rejected, THIN).dashed());
     let done = step.decision == Decision::Accept;
     let [a, b] = [step.segment.a, step.segment.b].map(|p| board.at(p));
@@ -132,8 +150,8 @@ fn draw_step(sheet: &mut Sheet, panel: Rect, step: &Step) -> Result<(), FigureEr
     };
     sheet.line(a, b, pen);
     let ends = [
-        ("A", step.segment.a, SEGMENT.a),
-        ("B", step.segment.b, SEGMENT.b),
+        ("A", step.segment.a, segment.a),
+        ("B", step.segment.b, segment.b),
     ];
     for ((name, end, start), code) in ends.into_iter().zip(step.codes) {
         let prime = if end == start { "" } else { "′" };
@@ -143,8 +161,13 @@ fn draw_step(sheet: &mut Sheet, panel: Rect, step: &Step) -> Result<(), FigureEr
         } else {
             marks::hollow_point(sheet, board.at(end), Role::Undecided);
         }
-        // Where the segment leaves the most room.
-        let aside = if name == "A" { DVec2::X } else { DVec2::NEG_X };
+        // Away from the other end.
+        let aside = end
+            - if name == "A" {
+                step.segment.b
+            } else {
+                step.segment.a
+            };
         board.name(sheet, end, label, aside);
     }
     Ok(())

@@ -15,9 +15,9 @@ use crate::words::words;
 /// AB … IJ as in Grafica 3, Clipping di un segmento.
 pub(super) const FIGURE: Figure = Figure {
     id: "clip/segment-cases",
-    takes: Takes::NOTHING,
+    takes: Takes::Nothing(crate::words::FIXED),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, _| draw(sheet),
 };
 

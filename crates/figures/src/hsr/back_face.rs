@@ -3,30 +3,29 @@
 mod outline;
 
 use ombra_hsr::back_face::is_front_facing;
+use std::sync::Arc;
+
 use ombra_math::glam::DVec2;
 
 use self::outline::{Chain, Face, bounds, of_mesh, of_prism};
 use crate::colour::{Ink, Role};
 use crate::drawing::{EMPHASIS, FillRule, NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{About, Figure, Inputs, Takes};
+use crate::figure::{About, Figure, Takes};
+use crate::input::{Ask, Inputs};
 use crate::marks;
+use crate::object::NamedMesh;
 use crate::path::{Path, Rect};
 use crate::section::Section;
 use crate::sheet::{Label, Sheet};
 use crate::style::Language;
-use crate::text::Line;
-use crate::words::words;
+use crate::words::{self, words};
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/back-face",
-    takes: Takes {
-        light: false,
-        plane: false,
-        mesh: true,
-    },
+    takes: Takes::These(&[OBJECT.input]),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, inputs| draw(sheet, &Solid::new(inputs)?),
 };
 
@@ -62,6 +61,9 @@ words! {
     }
 }
 
+/// An object instead of the prism.
+const OBJECT: Ask<Arc<NamedMesh>> = Ask::object("mesh", "", words::OBJECT, "prism");
+
 /// A prism across its faces, counter-clockwise.
 const PRISM: [(f64, f64); 6] = [
     (-3.0, -1.0),
@@ -93,9 +95,12 @@ struct Solid {
 impl Solid {
     /// The prism or the instructor's object.
     fn new(inputs: &Inputs) -> Result<Solid, FigureError> {
-        let (chains, name) = match &inputs.mesh {
-            Some(named) => (of_mesh(&named.mesh), named.name.as_str()),
-            None => (vec![of_prism(&PRISM.map(DVec2::from))], "the prism"),
+        let own = inputs.has(&OBJECT);
+        let object = inputs.get(&OBJECT);
+        let (chains, name) = if own {
+            (of_mesh(&object.mesh), object.name.as_str())
+        } else {
+            (vec![of_prism(&PRISM.map(DVec2::from))], "the prism")
         };
         let Some(bounds) = bounds(&chains) else {
             return Err(FigureError::Scene {
@@ -110,7 +115,7 @@ impl Solid {
             chains,
             eye: bounds.centre() + radius * TO_EYE,
             arrow: ARROW * radius,
-            has_few: inputs.mesh.is_none(),
+            has_few: !own,
         })
     }
 
@@ -200,7 +205,7 @@ fn draw(sheet: &mut Sheet, solid: &Solid) -> Result<(), FigureError> {
     let mut widest = 0.0_f64;
     for kept in [true, false] {
         let label = verdict(DVec2::ZERO, kept, language);
-        widest = widest.max(Line::new(&label.markup, label.size)?.width);
+        widest = widest.max(sheet.lay_out(&label.markup, label.size)?.width);
     }
     let frame = sheet.frame();
     let room = Rect::new(
@@ -323,21 +328,14 @@ mod tests {
     }
 
     fn solid(named: &str) -> Solid {
-        let mesh = Some(named.parse::<NamedMesh>().unwrap());
-        let inputs = Inputs {
-            mesh,
-            ..Inputs::default()
-        };
+        let inputs = Inputs::default().with(&OBJECT.input, named).unwrap();
         Solid::new(&inputs).unwrap()
     }
 
     fn of_text(text: &str) -> Result<Solid, FigureError> {
         let mesh = from_obj(text).unwrap();
         let name = "own.obj".to_owned();
-        Solid::new(&Inputs {
-            mesh: Some(NamedMesh { name, mesh }),
-            ..Inputs::default()
-        })
+        Solid::new(&Inputs::default().with_object(&OBJECT, NamedMesh { name, mesh }))
     }
 
     /// The sides of the prism itself, two triangles each, in the order of its faces.

@@ -12,9 +12,9 @@ use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/depth-precision",
-    takes: Takes::NOTHING,
+    takes: Takes::Nothing(crate::words::FIXED),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, _| draw(sheet),
 };
 

@@ -17,9 +17,9 @@ use crate::words::words;
 /// The three relations of Grafica 3, Approccio Object-Space.
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/object-space-pairs",
-    takes: Takes::NOTHING,
+    takes: Takes::Nothing(crate::words::FIXED),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, _| draw(sheet, &pairs()),
 };
 

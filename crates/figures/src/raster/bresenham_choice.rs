@@ -21,9 +21,9 @@ use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/bresenham-choice",
-    takes: Takes::NOTHING,
+    takes: Takes::Nothing(crate::words::FIXED),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, _| draw(sheet),
 };
 

@@ -20,9 +20,9 @@ use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/scanline",
-    takes: Takes::NOTHING,
+    takes: Takes::Nothing(crate::words::FIXED),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, _| draw(sheet),
 };
 
@@ -108,7 +108,12 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     }
     let lines: Vec<Vec<Line>> = columns
         .iter()
-        .map(|column| column.iter().map(|cell| Line::new(cell, LABEL)).collect())
+        .map(|column| {
+            column
+                .iter()
+                .map(|cell| sheet.lay_out(cell, LABEL))
+                .collect()
+        })
         .collect::<Result<_, _>>()?;
     let widths: Vec<f64> = lines
         .iter()

@@ -16,9 +16,9 @@ use crate::words::{PIXELS_OF, words};
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/sliver",
-    takes: Takes::NOTHING,
+    takes: Takes::Nothing(crate::words::FIXED),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, _| draw(sheet),
 };
 

@@ -2,45 +2,40 @@
 
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::plane::Plane;
-use ombra_math::solids::slide_cube;
 
-use super::setting::{Setting, draw_normal, on_sheet};
+use super::setting::{OBJECT, Setting, draw_normal, is_cube, light, of_object, on_sheet};
 use crate::colour::Role;
 use crate::figure::{About, Figure, Takes};
+use crate::input::Ask;
 use crate::marks;
 use crate::number::{coordinates, equation};
 use crate::sheet::Label;
 use crate::solid::mesh;
 use crate::space::axes;
-use crate::text::{LABEL, Line};
-use crate::words::words;
+use crate::text::LABEL;
+use crate::words::{self, words};
+
+const LIGHT: Ask<DVec4> = light([10.0, 60.0, 50.0, 1.0]);
+const WALL: Ask<Plane> = Ask::plane("plane", "", words::PLANE, [0.0, 1.0, 2.0, 20.0]);
 
 /// The lectures' cube, a light at a place, and a wall that leans back and aside (Bologna, Ombre su piani, caso
 /// generale; Olomouc, Projekce na libovolnou plochu).
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/planar-any-plane",
-    takes: Takes {
-        light: true,
-        plane: true,
-        mesh: true,
-    },
+    takes: Takes::These(&[LIGHT.input, WALL.input, OBJECT.input]),
     words: WORDS,
-    about: |inputs| {
-        let summary = match (inputs.is_cube(), inputs.plane) {
-            (true, None) => ANY_PLANE_SUMMARY,
-            (false, None) => OBJECT_ON_WALL_SUMMARY,
-            (true, Some(_)) => CUBE_ON_PLANE_SUMMARY,
-            (false, Some(_)) => OBJECT_ON_PLANE_SUMMARY,
+    about: |inputs, language| {
+        let summary = match (is_cube(inputs), inputs.has(&WALL)) {
+            (true, false) => ANY_PLANE_SUMMARY,
+            (false, false) => OBJECT_ON_WALL_SUMMARY,
+            (true, true) => CUBE_ON_PLANE_SUMMARY,
+            (false, true) => OBJECT_ON_PLANE_SUMMARY,
         };
-        About::new(summary, ANY_PLANE_CAPTION).with_object(inputs)
+        About::new(language, summary, ANY_PLANE_CAPTION).and(of_object(inputs, language))
     },
     drawn: |sheet, inputs| {
-        let wall = Plane {
-            normal: DVec3::new(0.0, 1.0, 2.0),
-            d: 20.0,
-        };
-        let light = DVec4::new(10.0, 60.0, 50.0, 1.0);
-        let setting = Setting::new(inputs, slide_cube, light, wall)?;
+        let object = inputs.get(&OBJECT);
+        let setting = Setting::new(&object, inputs.get(&LIGHT), inputs.get(&WALL))?;
         let stage = setting.stage(sheet.frame(), &beyond(&setting))?;
         let view = &stage.view;
 
@@ -62,7 +57,7 @@ pub(super) const FIGURE: Figure = Figure {
         let foot = stage.normal_foot(&setting);
         draw_normal(sheet, view, setting.plane, foot, setting.normal_length());
         let words = equation(setting.plane);
-        let line = Line::new(&words, LABEL)?;
+        let line = sheet.lay_out(&words, LABEL)?;
         let size = DVec2::new(line.width, line.ascent + line.descent);
         if let Some((at, out)) = stage.free_edge(&setting, &[foot], size, sheet.frame()) {
             sheet.label(Label::new(at, words).towards(out));

@@ -1,45 +1,39 @@
 //! The slides' cube and its shadow on the ground, every coordinate exact.
 
 use ombra_math::glam::{DVec2, DVec4};
-use ombra_math::plane::Plane;
-use ombra_math::solids::slide_cube;
 
-use super::setting::Setting;
+use super::setting::{GROUND, OBJECT, Setting, is_cube, light, of_object};
 use super::stage::Stage;
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::{About, Figure, Inputs, Takes};
+use crate::figure::{About, Figure, Takes};
+use crate::input::{Ask, Inputs};
 use crate::sheet::Sheet;
 use crate::solid::mesh;
 use crate::space::axes;
+use crate::style::Language;
 use crate::table::Table;
 use crate::words::words;
 
-const TAKES: Takes = Takes {
-    light: true,
-    plane: true,
-    mesh: true,
-};
-
-const AT_INFINITY: DVec4 = DVec4::new(10.0, 10.0, 10.0, 0.0);
-const AT_A_PLACE: DVec4 = DVec4::new(0.0, 100.0, 100.0, 1.0);
+const AT_INFINITY: Ask<DVec4> = light([10.0, 10.0, 10.0, 0.0]);
+const AT_A_PLACE: Ask<DVec4> = light([0.0, 100.0, 100.0, 1.0]);
 
 /// Under (10, 10, 10) at infinity (Olomouc, Zdroj v nekonečnu, Příklad).
 pub(super) const INFINITY: Figure = Figure {
     id: "shadows/cube-infinity",
-    takes: TAKES,
+    takes: Takes::These(&[AT_INFINITY.input, GROUND.input, OBJECT.input]),
     words: WORDS,
-    about: |inputs| about(inputs, AT_INFINITY),
-    drawn: |sheet, inputs| draw(sheet, inputs, AT_INFINITY),
+    about: |inputs, language| about(inputs, language, &AT_INFINITY),
+    drawn: |sheet, inputs| draw(sheet, inputs, &AT_INFINITY),
 };
 
 /// Under the point (0, 100, 100) (Olomouc, Zdroj světla v bodě, Příklad).
 pub(super) const POINT: Figure = Figure {
     id: "shadows/cube-point",
-    takes: TAKES,
+    takes: Takes::These(&[AT_A_PLACE.input, GROUND.input, OBJECT.input]),
     words: WORDS,
-    about: |inputs| about(inputs, AT_A_PLACE),
-    drawn: |sheet, inputs| draw(sheet, inputs, AT_A_PLACE),
+    about: |inputs, language| about(inputs, language, &AT_A_PLACE),
+    drawn: |sheet, inputs| draw(sheet, inputs, &AT_A_PLACE),
 };
 
 words! {
@@ -101,19 +95,20 @@ words! {
 }
 
 /// By the kind of light and by whether the object is the cube.
-fn about(inputs: &Inputs, light: DVec4) -> About {
-    let at_infinity = inputs.light.unwrap_or(light).w == 0.0;
-    let (summary, caption) = match (at_infinity, inputs.is_cube()) {
+fn about(inputs: &Inputs, language: Language, light: &Ask<DVec4>) -> About {
+    let at_infinity = inputs.get(light).w == 0.0;
+    let (summary, caption) = match (at_infinity, is_cube(inputs)) {
         (true, true) => (CUBE_INFINITY_SUMMARY, CUBE_INFINITY_CAPTION),
         (true, false) => (OBJECT_INFINITY_SUMMARY, CUBE_INFINITY_CAPTION),
         (false, true) => (CUBE_POINT_SUMMARY, CUBE_POINT_CAPTION),
         (false, false) => (OBJECT_POINT_SUMMARY, OBJECT_POINT_CAPTION),
     };
-    About::new(summary, caption).with_object(inputs)
+    About::new(language, summary, caption).and(of_object(inputs, language))
 }
 
-fn draw(sheet: &mut Sheet, inputs: &Inputs, light: DVec4) -> Result<(), FigureError> {
-    let setting = Setting::new(inputs, slide_cube, light, Plane::GROUND)?;
+fn draw(sheet: &mut Sheet, inputs: &Inputs, light: &Ask<DVec4>) -> Result<(), FigureError> {
+    let object = inputs.get(&OBJECT);
+    let setting = Setting::new(&object, inputs.get(light), inputs.get(&GROUND))?;
     let stage = if setting.has_few() {
         stage_beside_table(sheet, &setting)?
     } else {
@@ -137,8 +132,8 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs, light: DVec4) -> Result<(), FigureEr
 fn stage_beside_table(sheet: &mut Sheet, setting: &Setting) -> Result<Stage, FigureError> {
     let frame = sheet.frame();
     let lines = setting.shadow_coordinates();
-    let beside = Table::new(&lines, 0.0)?;
-    let below = Table::new(&lines, frame.size().x)?;
+    let beside = Table::new(sheet, &lines, 0.0)?;
+    let below = Table::new(sheet, &lines, frame.size().x)?;
 
     let mut left = frame;
     left.max.x -= beside.size().x + SPACE;

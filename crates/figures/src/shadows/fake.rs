@@ -2,14 +2,14 @@
 
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::plane::Plane;
-use ombra_math::solids::slide_cube;
 use ombra_shadows::fake::ellipse;
 
-use super::setting::{Setting, on_sheet};
+use super::setting::{OBJECT, Setting, light, of_object, on_sheet};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{About, Figure, Inputs, Takes};
+use crate::figure::{About, Figure, Takes};
+use crate::input::Ask;
 use crate::number::as_typed;
 use crate::object::NamedMesh;
 use crate::path::Path;
@@ -20,16 +20,14 @@ use crate::words::{TRUE_SHADOW, words};
 /// Olomouc, Zjednodušení; Croatian 8.4, lažne sjene.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/fake",
-    takes: Takes {
-        light: true,
-        plane: false,
-        mesh: true,
-    },
+    takes: Takes::These(&[LIGHT.input, OBJECT.input]),
     words: WORDS,
-    about: |inputs| About::new(SUMMARY, CAPTION).with_object(inputs),
+    about: |inputs, language| {
+        About::new(language, SUMMARY, CAPTION).and(of_object(inputs, language))
+    },
     drawn: |sheet, inputs| {
-        let light = DVec4::new(6.0, 7.0, -3.0, 0.0);
-        let setting = Setting::new(&lowered(inputs), slide_cube, light, Plane::GROUND)?;
+        let object = lowered((*inputs.get(&OBJECT)).clone());
+        let setting = Setting::new(&object, inputs.get(&LIGHT), Plane::GROUND)?;
         let fake = ellipse(&setting.mesh.positions, setting.plane, setting.light).ok_or_else(|| {
             FigureError::Scene {
                 reason: format!(
@@ -93,26 +91,19 @@ words! {
     }
 }
 
+const LIGHT: Ask<DVec4> = light([6.0, 7.0, -3.0, 0.0]);
 /// Near the ground, over which it hovers as high as this share of its radius.
 const HEIGHT: f64 = 0.6;
 
 /// The object a little above the ground, where a fake shadow serves best; no coordinates are shown here.
-fn lowered(inputs: &Inputs) -> Inputs {
-    let mut object = inputs.mesh.clone().unwrap_or_else(|| NamedMesh {
-        name: "cube".to_owned(),
-        mesh: slide_cube(),
-    });
+fn lowered(mut object: NamedMesh) -> NamedMesh {
     if let Some([low, high]) = object.mesh.bounds() {
         let down = low.y - HEIGHT * 0.5 * (high - low).length();
         for p in &mut object.mesh.positions {
             p.y -= down;
         }
     }
-    Inputs {
-        light: inputs.light,
-        plane: None,
-        mesh: Some(object),
-    }
+    object
 }
 
 /// Corners that stand for the ellipse.

@@ -21,9 +21,9 @@ use crate::words::{TRUE_SHADOW, Word, words};
 /// Olomouc, Nevýhody; Croatian 8.4, projicirane sjene.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/false-shadow",
-    takes: Takes::NOTHING,
+    takes: Takes::Nothing(crate::words::FIXED),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, _| {
         let language = sheet.style().language;
         let lines = HEIGHTS.map(|height| line_of(height).text(language));

@@ -1,5 +1,7 @@
 //! What the figures in space share: an object, a light, a plane, and the object's shadow on it.
 
+use std::sync::Arc;
+
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::mesh::Mesh;
 use ombra_math::plane::Plane;
@@ -7,13 +9,37 @@ use ombra_shadows::planar::cast;
 
 use crate::colour::Role;
 use crate::error::FigureError;
-use crate::figure::Inputs;
+use crate::input::{Ask, Inputs};
 use crate::marks;
 use crate::number::{as_typed, coordinates};
-use crate::object::LABELLED;
+use crate::object::{LABELLED, NamedMesh};
 use crate::path::Rect;
 use crate::sheet::{Label, Sheet};
+use crate::solid;
 use crate::space::View;
+use crate::style::Language;
+use crate::words;
+
+/// The object of all figures that show one.
+pub(super) const OBJECT: Ask<Arc<NamedMesh>> = Ask::object("mesh", "", words::OBJECT, "cube");
+/// The plane of those whose lecture has the ground.
+pub(super) const GROUND: Ask<Plane> = Ask::plane("plane", "", words::PLANE, [0.0, 1.0, 0.0, 0.0]);
+
+/// The light of a figure.
+pub(super) const fn light(default: [f64; 4]) -> Ask<DVec4> {
+    Ask::light("light", "", words::LIGHT, default)
+}
+
+/// What is to be said of the object.
+pub(super) fn of_object(inputs: &Inputs, language: Language) -> Option<&'static str> {
+    let word = solid::note(&inputs.get(&OBJECT).mesh)?;
+    Some(word.text(language))
+}
+
+/// Whether the object is the lectures' cube.
+pub(super) fn is_cube(inputs: &Inputs) -> bool {
+    inputs.get(&OBJECT).name == "cube"
+}
 
 /// An object, a light and the plane its shadow falls on.
 pub(super) struct Setting {
@@ -31,18 +57,8 @@ impl Setting {
     /// # Errors
     ///
     /// [`FigureError::Scene`] when no vertex has a shadow.
-    pub fn new(
-        inputs: &Inputs,
-        mesh: fn() -> Mesh,
-        light: DVec4,
-        plane: Plane,
-    ) -> Result<Setting, FigureError> {
-        let mesh = inputs
-            .mesh
-            .as_ref()
-            .map_or_else(mesh, |named| named.mesh.clone());
-        let light = inputs.light.unwrap_or(light);
-        let plane = inputs.plane.unwrap_or(plane);
+    pub fn new(object: &NamedMesh, light: DVec4, plane: Plane) -> Result<Setting, FigureError> {
+        let mesh = object.mesh.clone();
         let casts: Vec<Option<DVec3>> = mesh
             .positions
             .iter()
@@ -53,7 +69,7 @@ impl Setting {
                 reason: format!(
                     "the light {} casts no shadow of {} on the plane {}: the object must lie between them (--light, --plane)",
                     as_typed(&light.to_array()),
-                    inputs.mesh.as_ref().map_or("the cube", |named| &named.name),
+                    object.name,
                     as_typed(&plane.coefficients().to_array())
                 ),
             });
@@ -143,9 +159,5 @@ pub(super) fn draw_normal(sheet: &mut Sheet, view: &View, plane: Plane, foot: DV
 
 #[cfg(test)]
 pub(super) fn setting_of(mesh: &str, light: DVec4, plane: Plane) -> Setting {
-    let inputs = Inputs {
-        mesh: Some(mesh.parse().unwrap()),
-        ..Inputs::default()
-    };
-    Setting::new(&inputs, ombra_math::solids::slide_cube, light, plane).unwrap()
+    Setting::new(&mesh.parse().unwrap(), light, plane).unwrap()
 }

@@ -4,30 +4,33 @@ use ombra_math::glam::{DVec2, DVec4};
 use ombra_math::plane::Plane;
 use ombra_shadows::planar::cast;
 
+use super::setting::light;
 use crate::colour::{Ink, Role};
 use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
-use crate::figure::{About, Figure, Inputs, Takes};
+use crate::figure::{About, Figure, Takes};
+use crate::input::{Ask, Inputs};
 use crate::marks;
 use crate::number::{as_typed, exact, round_step};
 use crate::path::Path;
 use crate::section::{Section, axes, ground};
 use crate::sheet::{Align, Label, Sheet};
-use crate::text::Line;
 use crate::words::words;
 
 /// Bologna, Ombre su piani, caso speciale.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/planar-similar-triangles",
-    takes: Takes {
-        light: true,
-        plane: false,
-        mesh: false,
-    },
+    takes: Takes::These(&[LIGHT.input]),
     words: WORDS,
-    about: |inputs| match Proof::of(inputs) {
-        Ok(proof) if !proof.leans() => About::new(VERTICAL_RAY_SUMMARY, VERTICAL_RAY_CAPTION),
-        _ => About::new(SIMILAR_TRIANGLES_SUMMARY, SIMILAR_TRIANGLES_CAPTION),
+    about: |inputs, language| match Proof::of(inputs) {
+        Ok(proof) if !proof.leans() => {
+            About::new(language, VERTICAL_RAY_SUMMARY, VERTICAL_RAY_CAPTION)
+        }
+        _ => About::new(
+            language,
+            SIMILAR_TRIANGLES_SUMMARY,
+            SIMILAR_TRIANGLES_CAPTION,
+        ),
     },
     drawn: |sheet, inputs| Proof::of(inputs)?.draw(sheet),
 };
@@ -66,7 +69,7 @@ words! {
     }
 }
 
-const LIGHT: DVec4 = DVec4::new(16.0, 9.0, 0.0, 1.0);
+const LIGHT: Ask<DVec4> = light([16.0, 9.0, 0.0, 1.0]);
 
 /// Letter size of the formula, and how wide it may be.
 const FORMULA: f64 = 44.0;
@@ -87,7 +90,7 @@ struct Proof {
 
 impl Proof {
     fn of(inputs: &Inputs) -> Result<Proof, FigureError> {
-        Proof::new(inputs.light.unwrap_or(LIGHT))
+        Proof::new(inputs.get(&LIGHT))
     }
 
     fn new(light: DVec4) -> Result<Proof, FigureError> {
@@ -185,9 +188,9 @@ impl Proof {
     fn draw(&self, sheet: &mut Sheet) -> Result<(), FigureError> {
         let Proof { v, p, top, .. } = *self;
         let whole = sheet.frame();
-        let widest = Line::new(&self.formula(), FORMULA)?.width;
+        let widest = sheet.lay_out(&self.formula(), FORMULA)?.width;
         let size = FORMULA * (whole.size().x / widest).min(1.0);
-        let line = Line::new(&self.formula(), size)?;
+        let line = sheet.lay_out(&self.formula(), size)?;
         let height = line.ascent + line.descent;
         let middle = DVec2::new(whole.centre().x, whole.max.y - 0.5 * height);
         sheet.text(middle, Align::Centre, &self.formula(), size, Role::Text)?;

@@ -17,9 +17,9 @@ use crate::words::words;
 /// Bologna, Funzioni dell'ombra; Olomouc, Stíny; Croatian 8.4, uloga sjene u percepciji.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/why",
-    takes: Takes::NOTHING,
+    takes: Takes::Nothing(crate::words::FIXED),
     words: WORDS,
-    about: |_| About::new(SUMMARY, CAPTION),
+    about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, _| {
         let language = sheet.style().language;
         let lines = [WITHOUT, RESTING, HOVERING].map(|word| word.text(language));

@@ -3,8 +3,8 @@
 use ombra_math::glam::{DVec2, UVec2};
 
 use crate::colour::Role;
-use crate::drawing::{Item, LabelBox, Pen};
-use crate::path::{Path, Rect, round};
+use crate::drawing::{Item, Pen};
+use crate::path::{Path, Rect};
 
 /// Points in rows and columns.
 #[derive(Clone, Copy, Debug)]
@@ -21,14 +21,14 @@ pub struct Centres {
 
 impl Centres {
     /// A row of points is a dotted line, begun anew behind each that a label covers.
-    pub(super) fn item(&self, labels: &[LabelBox]) -> Item {
+    pub(super) fn item(&self, labels: &[Rect]) -> Item {
         let mut path = Path::new();
         for row in 0..self.count.y {
             let mut from = None;
             for column in 0..self.count.x {
                 let at = self.first + self.step * DVec2::new(f64::from(column), f64::from(row));
                 let around = Rect::new(at, at).grown(0.5 * self.width);
-                let covered = labels.iter().any(|label| label.bounds.meets(&around));
+                let covered = labels.iter().any(|label| label.meets(&around));
                 let last = column + 1 == self.count.x;
                 if !covered {
                     from = from.or(Some(at));
@@ -51,9 +51,9 @@ impl Centres {
             ..Pen::new(Role::Note, self.width)
         };
         Item::Shape {
-            path: path.map(round),
+            path,
             fill: None,
-            stroke: Some(pen.rounded()),
+            stroke: Some(pen),
         }
     }
 }

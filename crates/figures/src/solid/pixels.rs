@@ -53,12 +53,12 @@ pub(super) fn draw(sheet: &mut Sheet, view: &View, solid: &Solid) -> Result<Path
     let triangles = (0..).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
     let triangles = triangles.take(solid.faces.len()).collect();
     let mesh = Mesh::new(corners().collect(), triangles).map_err(|e| wrong(e.to_string()))?;
-    let theme = sheet.style().theme;
+    let palette = sheet.style().palette();
     let colour = |rgb: u32| Rgba([(rgb >> 16) as u8, (rgb >> 8) as u8, rgb as u8, 255]);
     let colours: Vec<Rgba<u8>> = solid
         .faces
         .iter()
-        .map(|f| colour(f.ink.rgb(theme)))
+        .map(|f| colour(f.ink.rgb(palette)))
         .collect();
     let no_room = |error: buffers::BufferError| wrong(error.to_string());
     let (width, height) = (viewport.width, viewport.height);

@@ -2,17 +2,17 @@
 
 use ombra_math::glam::DVec2;
 
-use super::{CAPITALS, CLEAR, Line, MATH_AXIS, Run, SCRIPT, SMALLEST};
+use super::{BAR, CAPITALS, CLEAR, Line, MATH_AXIS, Run, SCRIPT};
 use crate::error::FigureError;
 use crate::font::{Cut, Glyph};
 use crate::path::Rect;
 
-/// Lays out one line of `markup` with letters of `size`.
+/// Lays out one line of `markup` with letters of `size`, none below `least`.
 ///
 /// # Errors
 ///
 /// [`FigureError::Markup`], [`FigureError::MissingGlyph`].
-pub(super) fn set(markup: &str, size: f64) -> Result<Line, FigureError> {
+pub(super) fn set(markup: &str, size: f64, least: f64) -> Result<Line, FigureError> {
     let mut setter = Setter {
         markup,
         rest: markup.chars().collect::<Vec<_>>().into_iter().peekable(),
@@ -25,6 +25,7 @@ pub(super) fn set(markup: &str, size: f64) -> Result<Line, FigureError> {
             plain: String::new(),
         },
         previous: None,
+        least,
     };
     setter.sequence(Setting {
         cut: Cut::Upright,
@@ -45,8 +46,8 @@ struct Setting {
 }
 
 impl Setting {
-    fn script(self, rise: f64) -> Setting {
-        let size = (self.size * SCRIPT).max(SMALLEST);
+    fn script(self, rise: f64, least: f64) -> Setting {
+        let size = (self.size * SCRIPT).max(least);
         Setting {
             size,
             rise: self.rise + rise * self.size,
@@ -60,6 +61,7 @@ struct Setter<'a> {
     rest: core::iter::Peekable<std::vec::IntoIter<char>>,
     line: Line,
     previous: Option<(Cut, Glyph, DVec2)>,
+    least: f64,
 }
 
 impl Setter<'_> {
@@ -93,8 +95,8 @@ impl Setter<'_> {
                         _ => return self.fail("* closes * and ** closes **"),
                     };
                 }
-                '_' => self.script(setting, setting.script(-0.18))?,
-                '^' => self.script(setting, setting.script(0.36))?,
+                '_' => self.script(setting, setting.script(-0.18, self.least))?,
+                '^' => self.script(setting, setting.script(0.36, self.least))?,
                 '{' => self.fraction(setting)?,
                 '}' | '|' => return self.fail("a brace or bar without its opening brace"),
                 '\\' => match self.rest.next() {
@@ -145,14 +147,14 @@ impl Setter<'_> {
 
     /// Numerator over denominator, each centred on the bar.
     fn fraction(&mut self, setting: Setting) -> Result<(), FigureError> {
-        let size = (setting.size * 0.8).max(SMALLEST);
+        let size = (setting.size * 0.8).max(self.least);
         let part = |rise: f64, until: char| Setting {
             size,
             rise: setting.rise + rise,
             until: Some(until),
             ..setting
         };
-        let gap = 0.09 * setting.size;
+        let gap = CLEAR * setting.size;
         let axis = MATH_AXIS * setting.size;
         let left = self.line.width + 0.06 * setting.size;
 
@@ -201,7 +203,7 @@ impl Setter<'_> {
                 bar.max + DVec2::new(aside, 0.0),
             );
         }
-        let (half, edge) = (0.035 * setting.size, 0.04 * setting.size);
+        let (half, edge) = (BAR * setting.size, 0.04 * setting.size);
         let rise = -(setting.rise + axis);
         self.line.bars.push(Rect::new(
             DVec2::new(left - edge, rise - half),
