@@ -206,6 +206,13 @@ impl Inputs {
         Ok(self)
     }
 
+    /// The same with as many steps shown; 0 for the whole figure.
+    #[must_use]
+    pub fn at_step(mut self, step: u32) -> Inputs {
+        self.step = step;
+        self
+    }
+
     /// The same with another object.
     #[cfg(test)]
     pub(crate) fn with_object(mut self, ask: &Ask<Arc<NamedMesh>>, mesh: NamedMesh) -> Inputs {

@@ -195,7 +195,11 @@ impl Sheet {
     /// the panel or right beside it.
     pub fn panel(&mut self, i: usize, panel: Rect) {
         self.step(i + 1);
-        self.within = Some(panel.grown(0.45 * GUTTER));
+        let around = panel.grown(0.45 * GUTTER);
+        self.within = Some(Rect::new(
+            around.min.max(self.frame.min),
+            around.max.min(self.frame.max),
+        ));
     }
 
     /// What is drawn from now on belongs to no step and no panel.
