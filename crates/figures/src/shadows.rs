@@ -2,6 +2,7 @@
 
 mod any_plane;
 mod cube;
+mod cut;
 mod fake;
 mod false_shadow;
 mod light;
