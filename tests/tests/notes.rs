@@ -475,8 +475,13 @@ fn no_link_of_the_notes_is_dead() {
             } else {
                 folder().join(file)
             };
-            if !path.is_file() || (!place.is_empty() && !places(&read(&path)).contains(place)) {
+            if !path.exists() || (!place.is_empty() && !places(&read(&path)).contains(place)) {
                 complaints.push(format!("{name}: {target} is not there"));
+            }
+            if file.starts_with("..") && file.ends_with(".md") {
+                complaints.push(format!(
+                    "{name}: {target} is outside the book, which makes .html of it"
+                ));
             }
             if is_picture && text.trim().is_empty() {
                 complaints.push(format!(
