@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use ombra_figures::course::select;
-use ombra_figures::figure::Inputs;
+use ombra_figures::input::Inputs;
 use ombra_figures::style::{Style, TextForm};
 use ombra_math::glam::{DVec3, DVec4, IVec2};
 use ombra_math::plane::Plane;
