@@ -6,6 +6,7 @@ mod cut;
 mod fake;
 mod false_shadow;
 mod light;
+mod matrix;
 mod setting;
 mod shadow;
 mod similar_triangles;
@@ -20,6 +21,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     similar_triangles::FIGURE,
     cube::INFINITY,
     cube::POINT,
+    matrix::FIGURE,
     any_plane::FIGURE,
     false_shadow::FIGURE,
     fake::FIGURE,
