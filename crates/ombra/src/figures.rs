@@ -6,34 +6,33 @@ use std::str::FromStr;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
-use ombra_figures::course::{names, select};
+use ombra_figures::course::select;
 use ombra_figures::docs::write_docs;
 use ombra_figures::error::FigureError;
 use ombra_figures::figure::{Figure, Inputs, Takes, parse_light, parse_plane};
 use ombra_figures::object::NamedMesh;
 use ombra_figures::style::{Background, Format, Language, Size, Style, TextForm, Theme};
-use ombra_figures::write;
+use ombra_figures::{gallery, write};
 use ombra_math::glam::DVec4;
 use ombra_math::plane::Plane;
 
 /// What `ombra figures` takes.
 #[derive(Args)]
 pub struct Options {
-    /// Figures or lectures: `shadows/cube-point`, `shadows`; all if none is named
-    #[arg(value_parser = PossibleValuesParser::new(names()), hide_possible_values = true)]
+    /// Figures, lectures or parts of names: `shadows/cube-point`, `shadows`, `bresenham`; all if none is named
     select: Vec<String>,
     /// Formats, separated by commas
-    #[arg(long, default_value = "svg,png", value_delimiter = ',', value_parser = one_of(Format::ALL, Format::word))]
+    #[arg(long, default_value = "svg,png", value_delimiter = ',', ignore_case = true, value_parser = one_of(Format::ALL, Format::word))]
     format: Vec<Format>,
-    /// Size in pixels
+    /// Size in pixels, or an aspect: 16:9, 4:3, 1:1
     #[arg(long, default_value_t = Size::FULL_HD, value_name = "WIDTHxHEIGHT", value_parser = size)]
     size: Size,
-    #[arg(long, default_value_t = Theme::Light, value_parser = one_of(Theme::ALL, Theme::word))]
+    #[arg(long, default_value_t = Theme::Light, ignore_case = true, value_parser = one_of(Theme::ALL, Theme::word))]
     theme: Theme,
     /// Language of the labels
-    #[arg(long, default_value_t = Language::En, value_parser = one_of(Language::ALL, Language::word))]
+    #[arg(long, default_value_t = Language::En, ignore_case = true, value_parser = one_of(Language::ALL, Language::word))]
     lang: Language,
-    #[arg(long, default_value_t = Background::Theme, value_parser = one_of(Background::ALL, Background::word))]
+    #[arg(long, default_value_t = Background::Theme, ignore_case = true, value_parser = one_of(Background::ALL, Background::word))]
     background: Background,
     /// Your own light x,y,z,w: w = 1 a place, w = 0 a direction towards the light
     #[arg(long, value_name = "X,Y,Z,W", allow_hyphen_values = true, value_parser = light)]
@@ -139,14 +138,14 @@ fn draw(options: &Options) -> Result<(), FigureError> {
         files += write::figure(&options.out, figure, &style, &inputs, &formats)?.len();
         bar.inc(1);
     }
-    let index = write::index(&options.out, &chosen, &style, &inputs, &formats)?;
+    let index = write::index(&options.out, options.lang)?;
     bar.finish_and_clear();
     crate::print(format_args!(
-        "{}, {}, in {}; gallery: {}",
+        "{}, {}, in {}; gallery:\n{}",
         counted(chosen.len(), "figure"),
         counted(files, "file"),
         options.out.display(),
-        index.display()
+        gallery::address(&index)
     ));
     Ok(())
 }

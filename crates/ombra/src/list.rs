@@ -12,7 +12,7 @@ use crate::figures::one_of;
 #[derive(Args)]
 pub struct Options {
     /// Language of the lines
-    #[arg(long, default_value_t = Language::En, value_parser = one_of(Language::ALL, Language::word))]
+    #[arg(long, default_value_t = Language::En, ignore_case = true, value_parser = one_of(Language::ALL, Language::word))]
     lang: Language,
 }
 
