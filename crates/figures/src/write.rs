@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use crate::error::FigureError;
 use crate::figure::Figure;
-use crate::gallery::gallery;
+use crate::gallery::{self, gallery};
 use crate::input::Inputs;
-use crate::style::{Format, Style};
+use crate::style::{Format, Language, Style};
 use crate::whole::{self, Refused};
 use crate::{png, svg};
 
@@ -41,8 +41,8 @@ pub struct Written {
     pub over: Vec<String>,
 }
 
-/// Draws `figure` and writes it below `folder` in every format: `shadows/cube-infinity.svg`, and
-/// `shadows/cube-infinity-step-2.svg` for a step of it.
+/// Draws `figure` and writes it below `folder` in every format, under the name of [`gallery::file_stem`]:
+/// `shadows/cube-infinity.svg`, `shadows/cube-infinity.step-2.svg` for a step of it. The SVG's metadata say the command that makes it.
 ///
 /// # Errors
 ///
@@ -55,18 +55,15 @@ pub fn figure(
     formats: &[Format],
 ) -> Result<Written, FigureError> {
     let drawing = figure.draw(style, inputs)?;
+    let stem = gallery::file_stem(figure, style, gallery::variant(inputs).as_deref());
+    let command = gallery::command(figure, style, inputs);
     let mut files = Vec::with_capacity(formats.len());
     for &format in formats {
         let bytes = match format {
-            Format::Svg => svg::svg(&drawing)?.into_bytes(),
+            Format::Svg => gallery::with_command(&svg::svg(&drawing)?, &command).into_bytes(),
             Format::Png => png::png(&drawing)?,
         };
-        let step = match inputs.step {
-            0 => String::new(),
-            step => format!("-step-{step}"),
-        };
-        let name = format!("{}{step}.{format}", figure.id);
-        files.push((folder.join(name), bytes));
+        files.push((folder.join(format!("{stem}.{format}")), bytes));
     }
     let pairs: Vec<(&Path, &[u8])> = files
         .iter()
@@ -79,20 +76,18 @@ pub fn figure(
     })
 }
 
-/// Writes `index.html` into `folder` for the figures written there.
+/// Writes `index.html` into `folder` for all figures that lie there, its headings in `language`; what killed runs left
+/// there is removed.
 ///
 /// # Errors
 ///
 /// [`FigureError::Write`].
-pub fn index(
-    folder: &Path,
-    figures: &[&Figure],
-    style: &Style,
-    inputs: &Inputs,
-    formats: &[Format],
-) -> Result<PathBuf, FigureError> {
+pub fn index(folder: &Path, language: Language) -> Result<PathBuf, FigureError> {
+    for lecture in gallery::lectures() {
+        whole::sweep(&folder.join(lecture));
+    }
     let path = folder.join("index.html");
-    whole(&path, gallery(figures, style, inputs, formats).as_bytes())?;
+    whole(&path, gallery(&gallery::shown(folder), language).as_bytes())?;
     Ok(path)
 }
 

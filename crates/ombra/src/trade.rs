@@ -22,16 +22,16 @@ pub struct Options {
     #[arg(long)]
     quick: bool,
     /// Formats of the charts, separated by commas
-    #[arg(long, default_value = "svg,png", value_delimiter = ',', value_parser = one_of(Format::ALL, Format::word))]
+    #[arg(long, default_value = "svg,png", value_delimiter = ',', ignore_case = true, value_parser = one_of(Format::ALL, Format::word))]
     format: Vec<Format>,
     /// Size of the charts in pixels
     #[arg(long, default_value_t = Size::FULL_HD, value_name = "WIDTHxHEIGHT", value_parser = size)]
     size: Size,
     /// Theme of the charts
-    #[arg(long, default_value_t = Theme::Light, value_parser = one_of(Theme::ALL, Theme::word))]
+    #[arg(long, default_value_t = Theme::Light, ignore_case = true, value_parser = one_of(Theme::ALL, Theme::word))]
     theme: Theme,
     /// Language of the charts' figures
-    #[arg(long, default_value_t = Language::En, value_parser = one_of(Language::ALL, Language::word))]
+    #[arg(long, default_value_t = Language::En, ignore_case = true, value_parser = one_of(Language::ALL, Language::word))]
     lang: Language,
     /// Folder to write into, a folder a study
     #[arg(long, default_value = "target/trade", value_name = "DIR")]
