@@ -23,11 +23,11 @@ use crate::font::{Cut, Glyph};
 use crate::path::{Path, Rect, round};
 
 /// Letter size (em) below which nobody in the back row reads, in thousandths of the shorter side.
-pub const SMALLEST: f64 = 21.0;
+pub const SMALLEST: f64 = 31.0;
 /// Letter size of labels.
-pub const LABEL: f64 = 32.0;
+pub const LABEL: f64 = 45.0;
 /// Letter size of ticks, captions and notes.
-pub const NOTE: f64 = 26.0;
+pub const NOTE: f64 = 37.0;
 
 /// Scripts and stacked numbers, as a share of the label's size.
 const SCRIPT: f64 = 0.7;

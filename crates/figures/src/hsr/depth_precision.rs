@@ -98,14 +98,11 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     let chart = Chart {
         id: FIGURE.id.to_owned(),
         title: SUMMARY.text(language).to_owned(),
-        x: Axis::new(
-            DISTANCE.text(language),
-            format!("m   ({planes})"),
-            Scale::Log,
-        ),
+        x: Axis::new(DISTANCE.text(language), "m", Scale::Log),
         y: Axis::new(STEP.text(language), "m", Scale::Log),
         series,
         pareto: None,
+        settings: planes,
     };
     chart.draw_on(sheet)
 }
