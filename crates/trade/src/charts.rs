@@ -328,12 +328,19 @@ fn markup(words: &str) -> String {
 }
 
 fn knob_axis(sweep: &Measured) -> Axis {
-    Axis::new(
-        escape(sweep.knob),
-        "",
-        scale(sweep.rows().map(|row| row.setting)),
-    )
+    let mut settings: Vec<f64> = sweep.rows().map(|row| row.setting).collect();
+    settings.sort_by(f64::total_cmp);
+    settings.dedup();
+    let axis = Axis::new(escape(sweep.knob), "", scale(settings.iter().copied()));
+    if settings.len() <= MOST_TICKS {
+        axis.with_ticks(settings)
+    } else {
+        axis
+    }
 }
+
+/// Up to so many settings each have their tick.
+const MOST_TICKS: usize = 6;
 
 /// The axis of errors: an error of 0, which a logarithm does not have, lies in a band of its own.
 fn error_axis(measure: Measure) -> Axis {

@@ -123,7 +123,9 @@ impl Layout {
         let last = x.ticks.last().map_or(Ok(0.0), |tick| {
             Line::new(&tick.text, NOTE).map(|line| line.width)
         })?;
-        area.max.x = area.max.x.min(frame.max.x - 0.5 * last);
+        // It keeps clear of the names beside it.
+        let end = frame.max.x - names.beside() + names.spare();
+        area.max.x = area.max.x.min(end - 0.5 * last);
 
         let mut middle = top;
         for (line, height) in title.into_iter().zip(heights) {

@@ -32,6 +32,8 @@ struct Entry {
     lines: Vec<(Line, f64, Role)>,
     height: f64,
     width: f64,
+    /// Whether it names the end of a line.
+    leads: bool,
 }
 
 /// The names of all curves that are drawn.
@@ -100,6 +102,15 @@ impl Names {
         }
     }
 
+    /// How much of that a tick's label may take.
+    pub(super) fn spare(&self) -> f64 {
+        if self.beside() > 0.0 {
+            GAP - APART
+        } else {
+            0.0
+        }
+    }
+
     /// How much of the height they take.
     pub(super) fn below(&self) -> f64 {
         let heights = self
@@ -156,12 +167,12 @@ impl Names {
             .map(|entry| (height(entry) - entry.first() * 0.5, entry.height + APART))
             .collect();
         let tops = stacked(&wanted, self.top, self.frame.max.y + APART);
-        let x = area.max.x + GAP;
+        let x = self.frame.max.x - (self.beside() - GAP);
         for (entry, top) in order.into_iter().zip(tops) {
             entry.draw(sheet, DVec2::new(x, top));
             let at = DVec2::new(x - 6.0, top + 0.5 * entry.first());
             // From an end at the right border a line leads to the name.
-            if let Some(end) = ends(entry).filter(|end| end.x > area.max.x - GAP) {
+            if let Some(end) = ends(entry).filter(|end| entry.leads && end.x > area.max.x - GAP) {
                 let start = end + DVec2::new(1.6 * DOT, 0.0);
                 let pen = Pen::new(Role::Curve(curve(entry.series)), THIN);
                 sheet.stroke_unmarked(Path::line(start, at), pen);
@@ -215,6 +226,7 @@ fn entries(chart: &Chart, [name, note]: [f64; 2], width: f64) -> Result<Vec<Entr
                 lines,
                 height,
                 width,
+                leads: series.joined || !series.line.is_empty(),
             })
         })
         .collect()

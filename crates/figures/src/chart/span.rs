@@ -165,7 +165,7 @@ impl Span {
             (Some(first), Some(last)) => (first.value, last.value),
             _ => (power(1, first)?, power(1, last)?),
         };
-        let mut ticks = if last - first <= 2 {
+        let mut ticks = if few && ends.1 / ends.0 <= DENSE {
             parts
         } else {
             Span::decades(first, last)?
@@ -260,6 +260,9 @@ const CLEAR: f64 = 1.412_537_544_622_754_3;
 
 /// The most decades of an axis that begins and ends within one, not at its borders.
 const SHORT: i32 = 4;
+
+/// The greatest ratio of its ends for which an axis has ticks at 1, 2 and 5.
+const DENSE: f64 = 200.0;
 
 /// Near 1 as plain numbers, otherwise all as powers.
 fn is_plain(first: i32, last: i32) -> bool {

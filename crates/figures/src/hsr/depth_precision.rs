@@ -94,7 +94,7 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
         series::<Depth24>(PRECISION_24.text(language), 0),
         series::<ReversedDepth32F>(REVERSED.text(language), 0),
     ];
-    let planes = format!("*n* = {}, *f* = {}", decimal(NEAR), decimal(FAR));
+    let planes = format!("*n* = {} m, *f* = {} m", decimal(NEAR), decimal(FAR));
     let chart = Chart {
         id: FIGURE.id.to_owned(),
         title: SUMMARY.text(language).to_owned(),
