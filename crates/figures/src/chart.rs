@@ -287,14 +287,16 @@ mod tests {
             assert_eq!(texts.contains(&"10−6"), first == "10−6", "{texts:?}");
             assert!(texts.contains(&first) && !texts.contains(&"0.1"));
         }
-        let mut single = chart(vec![(1.0, 1.0), (500.0, 9.0)], Scale::Log);
-        let starts_at_one = |chart: &Chart| {
+        // The tick at 1 moves away from the upright axis.
+        let mut single = chart(vec![(1.0, 3.0), (500.0, 9.0)], Scale::Log);
+        let one = |chart: &Chart| {
             let drawing = chart.draw(&Style::default()).unwrap();
-            !texts(&drawing).contains(&"0.1")
+            let tick = drawing.labels.iter().find(|label| label.text == "1");
+            tick.map(|label| label.bounds.centre().x).unwrap()
         };
-        assert!(starts_at_one(&single));
+        let at_the_side = one(&single);
         single.pareto = Some(vec![]);
-        assert!(!starts_at_one(&single));
+        assert!(one(&single) > at_the_side + 50.0);
     }
 
     #[test]
@@ -407,5 +409,49 @@ mod tests {
                 .draw(&Style::default())
                 .is_ok()
         );
+    }
+
+    #[test]
+    fn a_zero_lies_in_a_band_of_its_own_and_only_where_there_is_one() {
+        let mut zeros = chart(
+            vec![(1.0, 0.0), (10.0, 0.0), (100.0, 1e-3), (200.0, 2e-9)],
+            Scale::Log,
+        );
+        assert!(zeros.draw(&Style::default()).is_err());
+        zeros.y = zeros.y.with_zero();
+        // Another curve that is exact where the first is lies in a lane of its own.
+        zeros
+            .series
+            .push(Series::new("other", vec![(1.0, 0.0), (10.0, 0.0)]));
+        let drawing = zeros.draw(&Style::default()).unwrap();
+        assert!(texts(&drawing).contains(&"0"));
+        let height = |curve: u8, width: f64| -> Vec<f64> {
+            let of = |item: &crate::drawing::Item| match item {
+                crate::drawing::Item::Shape {
+                    path,
+                    stroke: Some(pen),
+                    ..
+                } if pen.paint == Role::Curve(curve).into()
+                    && pen.width == width
+                    && pen.dash.is_none() =>
+                {
+                    Some(path.points().map(|p| p.y).collect::<Vec<_>>())
+                }
+                _ => None,
+            };
+            drawing.items.iter().filter_map(of).flatten().collect()
+        };
+        let all = height(0, NORMAL);
+        let (above, first) = all.split_at(2);
+        let other = height(1, NORMAL);
+        assert!(above.iter().all(|y| *y < first[0]), "{above:?} {first:?}");
+        assert!(first[0] == first[1] && other[0] == other[1] && first[0] < other[0]);
+        // No error is 0: no band.
+        zeros.series[0].points.retain(|p| p.1 > 0.0);
+        zeros.series.truncate(1);
+        assert!(!texts(&zeros.draw(&Style::default()).unwrap()).contains(&"0"));
+        // All are.
+        zeros.series[0].points = vec![(1.0, 0.0), (5.0, 0.0)];
+        assert!(texts(&zeros.draw(&Style::default()).unwrap()).contains(&"0"));
     }
 }
