@@ -9,7 +9,9 @@ use super::Report;
 use crate::error::TradeError;
 
 impl Report {
-    /// Writes `results.csv`, `advice.md` and the charts into `folder`, and names the files.
+    /// Writes `advice.md`, the charts and, where it `is_new`, the table `results.csv` into `folder`, and names the files.
+    ///
+    /// What was read from a table is not new: its times are rounded, and written again they would look measured.
     ///
     /// # Errors
     ///
@@ -20,14 +22,15 @@ impl Report {
         folder: &Path,
         style: &Style,
         formats: &[Format],
+        is_new: bool,
     ) -> Result<Vec<PathBuf>, TradeError> {
-        let mut files = vec![
-            (folder.join("results.csv"), self.csv().into_bytes()),
-            (
-                folder.join("advice.md"),
-                self.advice_markdown().into_bytes(),
-            ),
-        ];
+        let mut files = vec![(
+            folder.join("advice.md"),
+            self.advice_markdown().into_bytes(),
+        )];
+        if is_new {
+            files.push((folder.join("results.csv"), self.csv().into_bytes()));
+        }
         for drawing in self.charts(style)? {
             let name = drawing.id.rsplit('/').next().unwrap_or(&drawing.id);
             for &format in formats {
