@@ -57,7 +57,7 @@ pub fn gallery(figures: &[&Figure], style: &Style, inputs: &Inputs, formats: &[F
         let best = formats
             .iter()
             .find(|&&format| format == Format::Svg)
-            .or(formats.first());
+            .or(formats.iter().find(|&&format| format == Format::Png));
         let _ = writeln!(page, "<figure>");
         if let Some(format) = best {
             let file = format!("{}.{format}", figure.id);
@@ -100,18 +100,17 @@ mod tests {
                 language,
                 ..Style::default()
             };
-            let page = gallery(
-                &all,
-                &style,
-                &Inputs::default(),
-                &[Format::Svg, Format::Png],
-            );
+            let page = gallery(&all, &style, &Inputs::default(), Format::ALL);
             for figure in &all {
                 for format in Format::ALL {
                     assert!(page.contains(&format!("href=\"{}.{format}\"", figure.id)));
                 }
                 assert!(page.contains(&escaped(figure.summary(&Inputs::default(), language))));
             }
+            // No browser shows a PDF as a picture: it is a link, and the only one if it is the only format.
+            assert!(!page.contains(".pdf\"><img"));
+            let only = gallery(&all, &style, &Inputs::default(), &[Format::Pdf]);
+            assert!(!only.contains("<img") && only.contains(".pdf\">pdf</a>"));
             // The licence's address is a link to follow, not a thing to load.
             let addresses = page.matches("http").count();
             assert_eq!(addresses, page.matches(LICENCE_URL).count());

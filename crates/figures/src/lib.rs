@@ -52,7 +52,7 @@
 //! | [`place`] | where labels go |
 //! | [`colour`], [`path`], [`drawing`] | roles, outlines, the display list |
 //! | [`contour`] | the contour of many triangles |
-//! | [`svg`], [`png`] | writing |
+//! | [`svg`], [`png`], [`pdf`] | writing |
 //! | [`words`] | what a word is, and those that several figures share |
 //!
 //! The figures themselves are free to use in slides: CC0 1.0, as each SVG says. The typeface is DejaVu Sans, under its
@@ -78,6 +78,7 @@ pub mod object;
 pub mod panels;
 pub mod patch;
 pub mod path;
+pub mod pdf;
 pub mod pixels;
 pub mod place;
 pub mod png;

@@ -7,7 +7,7 @@ use crate::figure::{Figure, Inputs};
 use crate::gallery::gallery;
 use crate::style::{Format, Style};
 use crate::whole::{self, Refused};
-use crate::{png, svg};
+use crate::{pdf, png, svg};
 
 /// Writes `bytes` to `path`; folders on the way are made.
 ///
@@ -49,6 +49,7 @@ pub fn figure(
         let bytes = match format {
             Format::Svg => svg::svg(&drawing)?.into_bytes(),
             Format::Png => png::png(&drawing)?,
+            Format::Pdf => pdf::pdf(&drawing)?,
         };
         files.push((folder.join(format!("{}.{format}", figure.id)), bytes));
     }
@@ -133,7 +134,7 @@ mod tests {
         assert_eq!(fs::read(&a).unwrap(), b"one");
         assert_eq!(names(&folder.0), ["a.svg", "b.png"]);
 
-        // The same for both formats of a figure.
+        // The same for the formats of a figure.
         let figure = crate::course::figures().first().unwrap();
         let style = Style::default();
         let png = folder.0.join(format!("{}.png", figure.id));
@@ -143,8 +144,8 @@ mod tests {
         assert!(draw().is_err());
         assert_eq!(names(png.parent().unwrap()).len(), 1);
         fs::remove_dir(&png).unwrap();
-        assert_eq!(draw().unwrap().len(), 2);
-        assert_eq!(names(png.parent().unwrap()).len(), 2);
+        assert_eq!(draw().unwrap().len(), 3);
+        assert_eq!(names(png.parent().unwrap()).len(), 3);
     }
 
     #[test]

@@ -76,7 +76,7 @@ mod tests {
                 &["'dar'", "--theme", "light, dark", "similar"],
             ),
             ("figures --theme pink", &["'pink'", "light, dark"]),
-            ("figures --format svg,jpg", &["'jpg'", "svg, png"]),
+            ("figures --format svg,jpg", &["'jpg'", "svg, png, pdf"]),
             ("trade --lang EN", &["'EN'", "--lang", "en, it, cs, hr"]),
             ("list raster", &["'raster'", "ombra list"]),
             (

@@ -34,6 +34,7 @@ impl Report {
                 let bytes = match format {
                     Format::Svg => svg::svg(&drawing)?.into_bytes(),
                     Format::Png => png::png(&drawing)?,
+                    Format::Pdf => pdf::pdf(&drawing)?,
                 };
                 files.push((folder.join(format!("{name}.{format}")), bytes));
             }
