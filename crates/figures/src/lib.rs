@@ -1,7 +1,7 @@
 //! The drawing kit of the course and its figures.
 //!
 //! A figure is a function from a [`style::Style`] and an instructor's own [`figure::Inputs`] to a [`drawing::Drawing`]:
-//! one display list that SVG and PNG are both written from, so that they agree. The bytes are the same on every run and
+//! one display list that SVG, PNG and PDF are written from, so that they agree. The bytes are the same on every run and
 //! machine.
 //!
 //! ```

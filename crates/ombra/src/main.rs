@@ -129,7 +129,7 @@ mod tests {
     fn what_is_right_is_understood() {
         for words in [
             "figures",
-            "figures shadows hsr/back-face --format png,svg,png --size 640x360 --theme dark --lang it",
+            "figures shadows hsr/back-face --format png,svg,pdf,png --size 640x360 --theme dark --lang it",
             "figures --light -3,20,5,0 --plane -1,0.3,0,30 --mesh torus --background transparent",
             "figures --docs",
             "trade planar-precision --quick --lang hr",
