@@ -308,6 +308,8 @@ choice! {
     Svg = "svg",
     /// Pixels.
     Png = "png",
+    /// Scalable, for print and for slides made with LaTeX.
+    Pdf = "pdf",
 }
 
 /// How an SVG holds its letters.

@@ -8,7 +8,7 @@ use crate::gallery::{self, gallery};
 use crate::input::Inputs;
 use crate::style::{Format, Language, Style};
 use crate::whole::{self, Refused};
-use crate::{png, svg};
+use crate::{pdf, png, svg};
 
 /// Writes `bytes` to `path`; folders on the way are made.
 ///
@@ -62,6 +62,7 @@ pub fn figure(
         let bytes = match format {
             Format::Svg => gallery::with_command(&svg::svg(&drawing)?, &command).into_bytes(),
             Format::Png => png::png(&drawing)?,
+            Format::Pdf => pdf::pdf(&drawing)?,
         };
         files.push((folder.join(format!("{stem}.{format}")), bytes));
     }
@@ -147,7 +148,7 @@ mod tests {
         assert_eq!(fs::read(&a).unwrap(), b"one");
         assert_eq!(names(&folder.0), ["a.svg", "b.png"]);
 
-        // The same for both formats of a figure.
+        // The same for the formats of a figure.
         let figure = crate::course::figures().first().unwrap();
         let style = Style::default();
         let png = folder.0.join(format!("{}.png", figure.id));
@@ -157,8 +158,8 @@ mod tests {
         assert!(draw().is_err());
         assert_eq!(names(png.parent().unwrap()).len(), 1);
         fs::remove_dir(&png).unwrap();
-        assert_eq!(draw().unwrap().files.len(), 2);
-        assert_eq!(names(png.parent().unwrap()).len(), 2);
+        assert_eq!(draw().unwrap().files.len(), 3);
+        assert_eq!(names(png.parent().unwrap()).len(), 3);
     }
 
     #[test]

@@ -73,7 +73,7 @@ mod tests {
                 &["'dar'", "--theme", "light, dark", "similar"],
             ),
             ("figures --theme pink", &["'pink'", "light, dark"]),
-            ("figures --format svg,jpg", &["'jpg'", "svg, png"]),
+            ("figures --format svg,jpg", &["'jpg'", "svg, png, pdf"]),
             ("trade --lang eng", &["'eng'", "--lang", "en, it, cs, hr"]),
             ("list raster", &["'raster'", "ombra list"]),
             (
@@ -122,7 +122,7 @@ mod tests {
     fn what_is_right_is_understood() {
         for words in [
             "figures",
-            "figures shadows hsr/back-face --format png,svg,png --size 640x360 --theme dark --lang it",
+            "figures shadows hsr/back-face --format png,svg,pdf,png --size 640x360 --theme dark --lang it",
             "figures --light -3,20,5,0 --plane -1,0.3,0,30 --mesh torus --background transparent",
             "figures bresenham --size 16:9 --mesh Teapot --lang EN --theme Dark --format PNG --background Transparent",
             "figures --docs",

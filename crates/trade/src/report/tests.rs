@@ -324,14 +324,19 @@ fn files_are_written_and_named() {
         [
             "advice.md",
             "results.csv",
+            "sweep-cost.pdf",
             "sweep-cost.png",
             "sweep-cost.svg",
+            "sweep-error.pdf",
             "sweep-error.png",
             "sweep-error.svg",
+            "sweep-share.pdf",
             "sweep-share.png",
             "sweep-share.svg",
+            "sweep-time.pdf",
             "sweep-time.png",
             "sweep-time.svg",
+            "sweep-work.pdf",
             "sweep-work.png",
             "sweep-work.svg"
         ]

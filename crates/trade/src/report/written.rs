@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use ombra_figures::style::{Format, Style};
-use ombra_figures::{png, svg, write};
+use ombra_figures::{pdf, png, svg, write};
 
 use super::Report;
 use crate::error::TradeError;
@@ -37,6 +37,7 @@ impl Report {
                 let bytes = match format {
                     Format::Svg => svg::svg(&drawing)?.into_bytes(),
                     Format::Png => png::png(&drawing)?,
+                    Format::Pdf => pdf::pdf(&drawing)?,
                 };
                 files.push((folder.join(format!("{name}.{format}")), bytes));
             }
