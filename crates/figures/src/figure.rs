@@ -58,8 +58,8 @@ pub(crate) struct About {
     pub(crate) summary: Word,
     /// One or two sentences below the figure.
     pub(crate) caption: Word,
-    /// One more, where there is something to say of how it was drawn.
-    pub(crate) note: Option<Word>,
+    /// More, where there is something to say of the object or of how it was drawn.
+    pub(crate) notes: Vec<Word>,
 }
 
 impl About {
@@ -67,7 +67,7 @@ impl About {
         About {
             summary,
             caption,
-            note: None,
+            notes: Vec::new(),
         }
     }
 
@@ -75,7 +75,7 @@ impl About {
     pub(crate) fn with_object(self, inputs: &Inputs) -> About {
         let object = inputs.mesh.as_ref();
         About {
-            note: object.and_then(|named| solid::note(&named.mesh)),
+            notes: object.map(solid::notes).unwrap_or_default(),
             ..self
         }
     }
@@ -100,10 +100,10 @@ impl Figure {
         (self.about)(inputs).summary.text(language)
     }
 
-    /// Up to three sentences on it, set below the figure where the style asks for a caption.
+    /// A few sentences on it, set below the figure where the style asks for a caption.
     pub fn caption(&self, inputs: &Inputs, language: Language) -> String {
-        let About { caption, note, .. } = (self.about)(inputs);
-        let sentences = [Some(caption), note].into_iter().flatten();
+        let About { caption, notes, .. } = (self.about)(inputs);
+        let sentences = core::iter::once(caption).chain(notes);
         let sentences: Vec<&str> = sentences.map(|word| word.text(language)).collect();
         sentences.join(" ")
     }

@@ -2,9 +2,11 @@
 
 mod obj;
 mod polygon;
+pub mod said;
 mod statements;
 
 pub use obj::{LeftOut, from_obj, read_obj};
+pub use said::said;
 
 use core::str::FromStr;
 use std::fs::File;

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use ombra_figures::course::figures;
 use ombra_figures::drawing::{Drawing, Item, MARGIN};
 use ombra_figures::figure::{Figure, Inputs};
+use ombra_figures::object::said;
 use ombra_figures::path::Rect;
 use ombra_figures::style::{Background, Language, Size, Style, TextForm, Theme};
 use ombra_figures::text::{LABEL, Line, SMALLEST};
@@ -93,7 +94,7 @@ fn every_letter_drawn_is_in_the_list_of_labels() {
 /// Every word of every figure, those that several share, and the gallery's.
 fn words() -> BTreeSet<Word> {
     let of_figures = figures().iter().map(|figure| figure.words);
-    let all = of_figures.chain([words::WORDS, gallery::WORDS, solid::WORDS]);
+    let all = of_figures.chain([words::WORDS, gallery::WORDS, solid::WORDS, said::WORDS]);
     all.flatten().copied().collect()
 }
 
