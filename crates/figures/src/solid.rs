@@ -22,7 +22,7 @@ use crate::words::{Word, words};
 /// Two faces that meet under less than this cosine show their edge: 30°.
 const CREASE: f64 = 0.866_025_403_784_438_6;
 
-/// The edges where a mesh folds or ends, as pairs of vertices.
+/// The edges where a mesh folds or ends, as pairs of vertices, each once.
 pub fn creases(mesh: &Mesh) -> Vec<[usize; 2]> {
     let normal = |face: Option<u32>| {
         let [a, b, c] = mesh.triangle(usize::try_from(face?).ok()?)?;
@@ -37,7 +37,9 @@ pub fn creases(mesh: &Mesh) -> Vec<[usize; 2]> {
         Some([end(edge.from)?, end(edge.to)?])
     };
     let edges = mesh.edges();
-    edges.into_iter().filter(folds).filter_map(ends).collect()
+    let mut creases: Vec<_> = edges.into_iter().filter(folds).filter_map(ends).collect();
+    creases.dedup();
+    creases
 }
 
 /// Draws a mesh, whatever of it is in front hiding what is behind. Back edges are dashed for a mesh of at most 16
