@@ -295,6 +295,7 @@ fn what_lies_double_is_drawn_once() {
     };
     assert_eq!(draw(&often), draw(&once));
     assert_eq!(meetings(&often), 6);
+    assert_eq!(creases(&often), creases(&once));
     // The same with a face away, so that it is open.
     let lid_off = |mut mesh: Mesh| {
         mesh.triangles
