@@ -2,7 +2,7 @@
 
 mod edges;
 mod painted;
-mod pixels;
+pub(crate) mod pixels;
 pub mod sight;
 
 use std::collections::BTreeSet;

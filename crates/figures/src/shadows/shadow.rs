@@ -13,16 +13,38 @@ use crate::contour::contours;
 use crate::drawing::{Pen, THIN};
 use crate::path::Path;
 use crate::sheet::Sheet;
-use crate::solid::{creases, unordered};
+use crate::solid::{creases, pixels, unordered};
+
+/// Most pieces of the outline of a shadow that is drawn as one path.
+const MOST_SEGMENTS: usize = 10_000;
 
 impl Setting {
     /// The shadow of every triangle in one path, all of one winding, so that no seam shows.
     pub fn draw_shadow(&self, sheet: &mut Sheet, stage: &Stage) {
         let path = self.shadow(stage);
+        if path.segments.len() > MOST_SEGMENTS {
+            self.draw_shadow_by_pixels(sheet, stage);
+            return;
+        }
         // The outline goes below the area, so that only the outer half of it is left: edges inside do not show.
         sheet.avoid(&path);
         sheet.stroke_unmarked(path.clone(), Pen::new(Role::Shadow, 2.0 * THIN));
         sheet.fill(path, Role::Umbra);
+    }
+
+    /// The same where contours cross so often that they would take minutes to fill: triangle by triangle.
+    fn draw_shadow_by_pixels(&self, sheet: &mut Sheet, stage: &Stage) {
+        let receiver = stage.patch.corners();
+        let mut pieces: Vec<Vec<DVec2>> = Vec::new();
+        for i in self.triangles_that_cast() {
+            let corners = self.mesh.triangle(i).unwrap_or_default();
+            let piece = cast_onto(&receiver, self.light, &corners);
+            pieces.extend(stage.view.contour(&piece));
+        }
+        if let Some(corners) = stage.view.contour(&receiver) {
+            sheet.avoid(&Path::polygon(&corners));
+        }
+        pixels::flat(sheet, &pieces, Role::Umbra);
     }
 
     fn shadow(&self, stage: &Stage) -> Path {

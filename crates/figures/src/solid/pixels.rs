@@ -7,8 +7,10 @@ use ombra_math::mesh::Mesh;
 use ombra_math::view::Viewport;
 use ombra_raster::buffers;
 use ombra_raster::buffers::image::{ImageBuffer, Rgba};
+use ombra_raster::triangle::cover;
 
 use super::Solid;
+use crate::colour::Ink;
 use crate::drawing::Picture;
 use crate::error::FigureError;
 use crate::path::{Path, Rect};
@@ -71,6 +73,40 @@ pub(super) fn draw(sheet: &mut Sheet, view: &View, solid: &Solid) -> Result<Path
 
     sheet.picture(place, averaged(&picture));
     Ok(visible(view, solid, &camera, &depth))
+}
+
+/// Draws convex polygons of the canvas in one ink, their union.
+pub(crate) fn flat(sheet: &mut Sheet, polygons: &[Vec<DVec2>], ink: impl Into<Ink>) {
+    let pixel = 1000.0 / f64::from(sheet.style().size.shorter()).min(FINEST);
+    let places = polygons.iter().flatten().copied();
+    let Some(place) = bounds(places, pixel, sheet.canvas()) else {
+        return;
+    };
+    let size = (place.size() / pixel).round().as_uvec2() * SAMPLES;
+    let rgb = ink.into().rgb(sheet.style().palette());
+    let on = Rgba([(rgb >> 16) as u8, (rgb >> 8) as u8, rgb as u8, 255]);
+    let Ok(mut samples) = buffers::new(size.x, size.y, Rgba([0; 4])) else {
+        return;
+    };
+    let scale = f64::from(SAMPLES) / pixel;
+    for polygon in polygons {
+        let [first, rest @ ..] = &polygon[..] else {
+            continue;
+        };
+        for pair in rest.windows(2) {
+            let &[a, b] = pair else { continue };
+            let triangle = [*first, a, b].map(|p| (p - place.min) * scale);
+            let Ok(spans) = cover(triangle, size.x, size.y) else {
+                continue;
+            };
+            for pixel in spans.flat_map(|span| span.pixels()) {
+                if let Some(sample) = samples.get_pixel_mut_checked(pixel.x, pixel.y) {
+                    *sample = on;
+                }
+            }
+        }
+    }
+    sheet.picture(place, averaged(&samples));
 }
 
 /// The part of the canvas that points lie in, grown to whole pixels.

@@ -1,7 +1,7 @@
 use std::collections::BTreeSet;
 
 use super::*;
-use crate::style::{Language, Size, Theme};
+use crate::style::{Background, Language, Size, TextScale, Theme};
 
 fn cube() -> &'static Figure {
     figures()
@@ -87,7 +87,12 @@ fn every_choice_has_a_name_of_its_own_that_is_read_back() {
                 language: Language::ALL[choice & 3],
                 theme: Theme::ALL[bit(0)],
                 size: sizes[bit(1)],
-                background: Background::ALL[bit(2)],
+                background: [
+                    Background::Transparent,
+                    Background::Theme,
+                    Background::Colour(0x12_ab_00),
+                ][choice % 3],
+                text_scale: TextScale::of_hundredths(100 + 50 * bit(2) as u16).unwrap(),
                 text: [TextForm::Paths, TextForm::Text][bit(3)],
                 caption: bit(4) == 1,
             };
