@@ -99,7 +99,7 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let shown = |i: &usize| *i == 0 || steep.is_steep();
     let kept: Vec<usize> = (0..3).filter(shown).collect();
     let lines: Vec<&str> = kept.iter().map(|&i| lines[i].as_str()).collect();
-    let panels = panels(sheet, &lines, 1.0)?;
+    let panels = panels(sheet, &lines, 1.5)?;
     for (n, (panel, &i)) in panels.into_iter().zip(&kept).enumerate() {
         let (ends, rows, on) = &pictures[i];
         sheet.panel(n, panel);
@@ -112,6 +112,9 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     }
     Ok(())
 }
+
+/// Pixels shown across and down, at least.
+const LEAST: i32 = 5;
 
 /// What a pixel a column gives: the nearest to the line, of two equally near the one before.
 fn a_column(ends: Ends) -> Vec<IVec2> {
@@ -138,9 +141,9 @@ fn draw_pixels(
         panel.min + DVec2::new(NUMBERS, 0.0),
         panel.max - DVec2::new(0.0, NUMBERS),
     );
-    // All pictures in one scale.
-    let min = ends.a.min(ends.b);
-    let corner = min + ends.extent()[0].max(1);
+    // A little room beside the segment.
+    let (min, max) = (ends.a.min(ends.b), ends.a.max(ends.b));
+    let corner = max.max(min + LEAST - 1);
     let grid = Grid::fit(min, corner, Orientation::Mathematical, frame);
     // Every other column, or row, on darker ground.
     let every = (min.x..=corner.x).flat_map(|x| (min.y..=corner.y).map(move |y| IVec2::new(x, y)));
