@@ -9,8 +9,10 @@ use crate::path::{Path, Rect};
 use crate::sheet::{Align, Centres, Sheet};
 use crate::text::NOTE;
 
-/// What the numbers of a border take up beside the cells.
+/// What the numbers of columns take up below the cells.
 pub const NUMBERS: f64 = 1.7 * NOTE;
+/// What the numbers of rows, of two digits, take up beside them.
+pub const BESIDE: f64 = 2.2 * NOTE;
 /// Share of its colour in a pixel that is on: the ideal line and letters stay readable above it.
 const ON: f64 = 0.5;
 /// Cells smaller than this have no centre points.

@@ -15,7 +15,7 @@ use crate::number::exact;
 use crate::panels::panels;
 use crate::path::Rect;
 use crate::pixels::{Grid, Orientation};
-use crate::sheet::{Label, Sheet};
+use crate::sheet::{Align, Label, Sheet};
 use crate::text::LABEL;
 use crate::words::words;
 
@@ -76,12 +76,18 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let panels = panels(sheet, &lines, 1.0)?;
     for (n, (panel, (i, step))) in panels.into_iter().zip(moves).enumerate() {
         sheet.panel(n, panel);
-        draw_increment(sheet, panel, ends, f64::from(i), &step);
+        draw_increment(sheet, panel, ends, f64::from(i), &step)?;
     }
     Ok(())
 }
 
-fn draw_increment(sheet: &mut Sheet, panel: Rect, ends: Ends, i: f64, step: &Step) {
+fn draw_increment(
+    sheet: &mut Sheet,
+    panel: Rect,
+    ends: Ends,
+    i: f64,
+    step: &Step,
+) -> Result<(), FigureError> {
     let [to_east, to_north] = ends.moves();
     let p = step.pixel;
     let next = match step.choice {
@@ -122,11 +128,23 @@ fn draw_increment(sheet: &mut Sheet, panel: Rect, ends: Ends, i: f64, step: &Ste
         let label = Label::new(at, name).towards(towards);
         sheet.label(label.size(1.25 * LABEL).beside());
     }
-    // The line runs between the arrow to NE and what lies above it.
+    // Below the arrow to NE there is a row of pixels for what it adds.
+    if step.choice == Choice::NE && to_east.y == 0 {
+        let at = grid.centre(p) + 1.55 * grid.cell() * e;
+        sheet.text(
+            at,
+            Align::Centre,
+            "+ 2*dy* − 2*dx*",
+            1.1 * LABEL,
+            Role::Text,
+        )?;
+        return Ok(());
+    }
     let (increment, share, towards) = match step.choice {
         Choice::E => ("+ 2*dy*", 0.5, n),
         Choice::NE => ("+ 2*dy* − 2*dx*", 0.25, e),
     };
     let label = Label::new(old.lerp(new, share), increment).towards(towards);
-    sheet.label(label.size(1.25 * LABEL).beside());
+    sheet.label(label.size(1.1 * LABEL).beside());
+    Ok(())
 }

@@ -9,7 +9,7 @@ use crate::drawing::{Pen, THIN};
 use crate::error::FigureError;
 use crate::figure::About;
 use crate::input::{Ask, Inputs};
-use crate::pixels::{Grid, NUMBERS, Orientation};
+use crate::pixels::{BESIDE, Grid, NUMBERS, Orientation};
 use crate::sheet::{Align, Sheet};
 use crate::style::Language;
 use crate::text::{LABEL, NOTE};
@@ -270,12 +270,12 @@ pub(super) fn columns(sheet: &mut Sheet, ends: Ends, table: &[Row]) -> Result<Gr
     let steep = ends.is_steep();
     let mut frame = sheet.frame();
     if steep {
-        frame.min.x += NUMBERS;
+        frame.min.x += BESIDE;
         frame.max.x -= SPACE + widths.iter().sum::<f64>();
         frame.min.y += highest + SPACE;
         frame.max.y -= NUMBERS;
     } else {
-        frame.min.x += NUMBERS.max(widest + SPACE);
+        frame.min.x += BESIDE.max(widest + SPACE);
         frame.max.y -= NUMBERS + heights.iter().sum::<f64>();
     }
     let [min, max] = ends.shown();

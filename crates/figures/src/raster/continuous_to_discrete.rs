@@ -61,12 +61,12 @@ words! {
 const SIZE: (u32, u32) = (13, 10);
 const ENDS: [[i32; 2]; 2] = [[0, 0], [12, 9]];
 const A: Ask<IVec2> = Ask::pixel("a", "*A*", FIRST_END, [1, 0], ENDS);
-const B: Ask<IVec2> = Ask::pixel("b", "*B*", LAST_END, [11, 3], ENDS);
+const B: Ask<IVec2> = Ask::pixel("b", "*B*", LAST_END, [11, 2], ENDS);
 const POLYGON: Ask<Vec<DVec2>> = Ask::polygon(
     "polygon",
     "",
     POLYGON_WORD,
-    &[[3.3, 9.4], [9.6, 8.6], [12.4, 5.7], [6.4, 3.2], [0.7, 5.4]],
+    &[[3.3, 9.4], [9.6, 8.6], [12.4, 5.7], [6.4, 3.4], [0.7, 5.4]],
     [3, 12],
     [[0.0, 0.0], [13.0, 10.0]],
 );

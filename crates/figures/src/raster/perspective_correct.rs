@@ -14,8 +14,9 @@ use crate::number::exact;
 use crate::panels::panels;
 use crate::path::{Path, Rect};
 use crate::section::Section;
-use crate::sheet::{Label, Sheet};
+use crate::sheet::{Align, Label, Sheet};
 use crate::style::Language;
+use crate::text::LABEL;
 use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
@@ -162,12 +163,17 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let lines = [ABOVE, LINEAR, CORRECT].map(|word| word.text(language));
     let panels = panels(sheet, &lines, 1.35)?;
     let [linear, correct] = wall.middle();
+    let wrong = if linear == correct {
+        Role::Chosen
+    } else {
+        Role::Undecided
+    };
     for (i, panel) in panels.into_iter().enumerate() {
         sheet.panel(i, panel);
         match i {
             0 => draw_plan(sheet, panel, wall)?,
-            1 => draw_wall(sheet, panel, wall, linear, affine),
-            _ => draw_wall(sheet, panel, wall, correct, in_perspective),
+            1 => draw_wall(sheet, panel, wall, (linear, wrong), affine)?,
+            _ => draw_wall(sheet, panel, wall, (correct, Role::Chosen), in_perspective)?,
         }
     }
     Ok(())
@@ -183,7 +189,7 @@ fn draw_plan(sheet: &mut Sheet, panel: Rect, wall: Wall) -> Result<(), FigureErr
     );
     // Room for names and the eye.
     let frame = Rect::new(
-        panel.min + DVec2::new(70.0, 80.0),
+        panel.min + DVec2::new(150.0, 80.0),
         panel.max - DVec2::new(70.0, 45.0),
     );
     let section = Section::fit(&[DVec2::ZERO, a, b], frame)?;
@@ -230,9 +236,9 @@ fn draw_wall(
     sheet: &mut Sheet,
     panel: Rect,
     wall: Wall,
-    middle: f64,
+    (middle, role): (f64, Role),
     map: fn(Wall, DVec2) -> DVec2,
-) {
+) -> Result<(), FigureError> {
     // Room for names below.
     let frame = Rect::new(
         panel.min + DVec2::new(20.0, 10.0),
@@ -277,17 +283,20 @@ fn draw_wall(
     let [a, b, c, d] = corners;
     let (low, high) = (a.lerp(b, 0.5), d.lerp(c, 0.5));
     sheet.line(low, high, Pen::new(Role::Text, NORMAL).dashed());
-    marks::point(sheet, low, Role::Chosen);
-    let named = format!("*u* = {}", exact(middle));
-    sheet.label(
-        Label::new(low, named)
-            .towards(DVec2::Y)
-            .beside()
-            .ink(Role::Chosen),
-    );
-    for (corner, name) in [(a, "*A*"), (b, "*B*")] {
-        sheet.label(Label::new(corner, name).towards(DVec2::Y).beside());
+    if role == Role::Chosen {
+        marks::point(sheet, low, role);
+    } else {
+        marks::hollow_point(sheet, low, role);
     }
+    // Names below the wall, the corners' on their side of it.
+    let inwards = DVec2::new(14.0, 0.0);
+    for (corner, name) in [(a + inwards, "*A*"), (b - inwards, "*B*")] {
+        let at = corner + DVec2::new(0.0, 0.9 * LABEL);
+        sheet.text(at, Align::Centre, name, LABEL, Role::Occluder)?;
+    }
+    let named = format!("*u* = {}", exact(middle));
+    sheet.label(Label::new(low, named).towards(DVec2::Y).beside().ink(role));
+    Ok(())
 }
 
 /// Where linear interpolation puts a point of the texture: in the triangle below the texture's diagonal or above it.

@@ -115,7 +115,7 @@ words! {
 
 /// Pixels across and down.
 const SIZE: u32 = 10;
-const CONVEX: &[&[[f64; 2]]] = &[&[[5.2, 0.6], [9.4, 3.7], [7.8, 9.1], [2.3, 9.4], [0.6, 4.2]]];
+const CONVEX: &[&[[f64; 2]]] = &[&[[5.2, 9.4], [9.4, 6.3], [7.8, 0.9], [2.3, 0.6], [0.6, 5.8]]];
 const CONCAVE: &[&[[f64; 2]]] = &[&[
     [0.7, 0.7],
     [5.0, 4.2],
@@ -125,7 +125,7 @@ const CONCAVE: &[&[[f64; 2]]] = &[&[
     [0.7, 9.3],
 ]];
 /// In one stroke: its middle is wound round twice.
-const STAR: &[[f64; 2]] = &[[5.0, 0.2], [8.0, 9.7], [0.1, 3.8], [9.9, 3.8], [2.0, 9.7]];
+const STAR: &[[f64; 2]] = &[[5.0, 9.8], [8.0, 0.3], [0.1, 6.2], [9.9, 6.2], [2.0, 0.3]];
 /// Around two others, one in its own direction, one against it.
 const SEVERAL: &[&[[f64; 2]]] = &[
     &[[0.3, 0.3], [9.7, 0.3], [9.7, 9.7], [0.3, 9.7]],
@@ -149,8 +149,10 @@ const RULES: Ask<&'static str> = Ask::choice(
 );
 /// The line above pictures of one rule.
 const HEADING: f64 = 1.5 * LABEL;
-/// Between the pictures of two rules.
-const GAP: f64 = 20.0;
+/// The line with a kind's name.
+const NAME: f64 = 1.7 * LABEL;
+/// Between two kinds.
+const BETWEEN: f64 = 36.0;
 
 fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let language = sheet.style().language;
@@ -166,28 +168,42 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
         (KIND_CROSSED, &[STAR]),
         (KIND_SEVERAL, SEVERAL),
     ];
-    let lines = kinds.map(|(word, _)| word.text(language));
-    let count = rules.len() as f64;
-    let panels = panels(sheet, &lines, count * 1.15)?;
-    let left = panels.first().map_or(0.0, |panel| panel.min.x);
-    for (i, (panel, (_, contours))) in panels.iter().zip(kinds).enumerate() {
-        let height = (panel.size().y + GAP) / count;
-        for (row, (word, rule)) in (0_u32..).zip(&rules) {
-            let top = panel.min.y + height * f64::from(row);
+    // Four beside each other, or two on a narrow sheet.
+    let frame = sheet.frame();
+    let across = if frame.size().x > 1.1 * frame.size().y {
+        4
+    } else {
+        2
+    };
+    let (columns, rows, count) = (f64::from(across), f64::from(4 / across), rules.len() as f64);
+    let block = (frame.size() + BETWEEN) / DVec2::new(columns, rows) - BETWEEN;
+    let side = block.x.min((block.y - NAME) / count - HEADING);
+    let used = count * (HEADING + side) + NAME;
+    let start = frame.centre().y - 0.5 * (rows * (used + BETWEEN) - BETWEEN);
+    for (i, (word, contours)) in (0_u32..).zip(kinds) {
+        let (column, row) = (f64::from(i % across), f64::from(i / across));
+        let left = frame.min.x + column * (block.x + BETWEEN);
+        let middle = left + 0.5 * block.x;
+        let mut top = start + row * (used + BETWEEN);
+        sheet.step(i as usize + 1);
+        for (name, rule) in &rules {
             // The first of a row names the rule for all.
-            if panel.min.x == left {
-                sheet.panel(i, *panel);
-                let at = DVec2::new(left, top + 0.4 * HEADING);
-                sheet.text(at, Align::Left, word.text(language), LABEL, Role::Text)?;
+            if i % across == 0 {
+                let at = DVec2::new(middle - 0.5 * side, top + 0.45 * HEADING);
+                sheet.text(at, Align::Left, name.text(language), LABEL, Role::Text)?;
             }
+            top += HEADING;
             let frame = Rect::new(
-                DVec2::new(panel.min.x, top + HEADING),
-                DVec2::new(panel.max.x, top + height - GAP),
+                DVec2::new(middle - 0.5 * side, top),
+                DVec2::new(middle + 0.5 * side, top + side),
             );
-            sheet.panel(i, *panel);
             draw_filled(sheet, frame, &contours_of(contours), *rule);
+            top += side;
         }
+        let at = DVec2::new(middle, top + 0.6 * NAME);
+        sheet.text(at, Align::Centre, word.text(language), LABEL, Role::Text)?;
     }
+    sheet.step(0);
     Ok(())
 }
 
@@ -253,7 +269,7 @@ mod tests {
                 filled(simple, FillRule::NonZero)
             );
         }
-        let middle = IVec2::new(4, 5);
+        let middle = IVec2::new(4, 4);
         assert!(!filled(&[STAR], FillRule::EvenOdd).contains(&middle));
         assert!(filled(&[STAR], FillRule::NonZero).contains(&middle));
         // Centres ½, 3/2, …: 10 × 10 within 0.3 … 9.7, and 2 × 6 within each of the inner contours.

@@ -11,7 +11,7 @@ use crate::input::{Ask, Inputs};
 use crate::marks;
 use crate::panels::panels;
 use crate::path::Rect;
-use crate::pixels::{Grid, NUMBERS, Orientation};
+use crate::pixels::{BESIDE, Grid, NUMBERS, Orientation};
 use crate::sheet::{Align, Label, Sheet};
 use crate::style::Language;
 use crate::text::LABEL;
@@ -107,7 +107,7 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     for (i, (panel, (_, on))) in panels.into_iter().zip(&kinds).enumerate() {
         sheet.panel(i, panel);
         let frame = Rect::new(
-            panel.min + DVec2::new(NUMBERS, 0.0),
+            panel.min + DVec2::new(BESIDE, 0.0),
             panel.max - DVec2::new(0.0, NUMBERS),
         );
         let grid = Grid::fit(min - 1, max + 1, Orientation::Mathematical, frame);

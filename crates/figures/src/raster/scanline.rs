@@ -14,7 +14,7 @@ use crate::input::{Ask, Inputs};
 use crate::marks;
 use crate::number::decimal;
 use crate::path::{Path, Rect};
-use crate::pixels::{Grid, NUMBERS, Orientation};
+use crate::pixels::{BESIDE, Grid, NUMBERS, Orientation};
 use crate::sheet::{Align, Label, Sheet};
 use crate::text::{LABEL, Line, NOTE};
 use crate::words::words;
@@ -205,7 +205,7 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let rows = table.len() as f64 + 1.0;
     let is_wide = frame.size().x > 1.2 * frame.size().y;
     let mut room = Rect::new(
-        frame.min + DVec2::new(NUMBERS, 0.0),
+        frame.min + DVec2::new(BESIDE, 0.0),
         frame.max - DVec2::new(0.0, NUMBERS),
     );
     if is_wide {

@@ -12,7 +12,7 @@ use crate::input::Inputs;
 use crate::marks;
 use crate::panels::panels;
 use crate::path::Rect;
-use crate::pixels::{Grid, NUMBERS, Orientation};
+use crate::pixels::{BESIDE, Grid, NUMBERS, Orientation};
 use crate::sheet::Sheet;
 use crate::words::words;
 
@@ -138,7 +138,7 @@ fn draw_pixels(
     on: &[IVec2],
 ) -> Result<Grid, FigureError> {
     let frame = Rect::new(
-        panel.min + DVec2::new(NUMBERS, 0.0),
+        panel.min + DVec2::new(BESIDE, 0.0),
         panel.max - DVec2::new(0.0, NUMBERS),
     );
     // A little room beside the segment.

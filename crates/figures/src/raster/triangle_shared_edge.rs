@@ -127,13 +127,13 @@ words! {
 }
 
 /// Pixels across and down.
-const SIZE: u32 = 8;
-const RANGE: [[f64; 2]; 2] = [[0.0; 2], [8.0; 2]];
-// The common edge runs through six centres, the others through none.
+const SIZE: u32 = 6;
+const RANGE: [[f64; 2]; 2] = [[0.0; 2], [6.0; 2]];
+// The common edge runs through four centres, the others through none.
 const P: Ask<DVec2> = Ask::point("p", "*P*", FROM, [1.0, 1.0], RANGE);
-const Q: Ask<DVec2> = Ask::point("q", "*Q*", TO, [7.0, 7.0], RANGE);
-const A: Ask<DVec2> = Ask::point("a", "*A*", CORNER_A, [7.3, 0.7], RANGE);
-const B: Ask<DVec2> = Ask::point("b", "*B*", CORNER_B, [0.7, 7.3], RANGE);
+const Q: Ask<DVec2> = Ask::point("q", "*Q*", TO, [5.0, 5.0], RANGE);
+const A: Ask<DVec2> = Ask::point("a", "*A*", CORNER_A, [5.3, 0.7], RANGE);
+const B: Ask<DVec2> = Ask::point("b", "*B*", CORNER_B, [0.7, 5.3], RANGE);
 
 /// Two triangles with a common edge.
 struct Pair {
@@ -275,7 +275,7 @@ fn draw_pixels(
         } else {
             "1"
         };
-        let at = grid.centre(pixel) + 0.34 * grid.cell() * aside;
+        let at = grid.centre(pixel) + 0.36 * grid.cell() * aside;
         sheet.text(at, Align::Centre, times, NOTE, Role::Text)?;
     }
     for (triangle, name) in pair.triangles.into_iter().zip(["*A*", "*B*"]) {
@@ -312,8 +312,8 @@ mod tests {
         let on_edge = pair.centres_on_edge();
         assert_eq!(
             on_edge,
-            [1, 2, 3, 4, 5, 6].map(IVec2::splat),
-            "the edge y = x from 1 to 7"
+            [1, 2, 3, 4].map(IVec2::splat),
+            "the edge y = x from 1 to 5"
         );
         let last = IVec2::splat(SIZE as i32 - 1);
         for (rule, times) in [
@@ -338,7 +338,7 @@ mod tests {
             let Drawn { both, none, .. } = pair.drawn(rule);
             assert_eq!(
                 [both.len(), none.len()],
-                [times / 2, usize::from(times == 0)].map(|n| 6 * n)
+                [times / 2, usize::from(times == 0)].map(|n| 4 * n)
             );
         }
     }
