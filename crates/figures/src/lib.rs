@@ -46,7 +46,7 @@
 //! | [`marks`] | sun, parallel arrows, eye, points, arrows, rays, normals |
 //! | [`space`], [`solid`], [`patch`] | the house perspective, axes; solids in it; the receiving plane |
 //! | [`section`] | the plane of a section: x to the right, y up |
-//! | [`panels`], [`table`] | steps from left to right, short lists in columns |
+//! | [`panels`], [`table`], [`matrix`] | steps side by side, short lists in columns, matrices |
 //! | [`pixels`] | pixels as cells with their centres |
 //! | [`number`] | exact fractions |
 //! | [`text`], [`font`] | markup, layout, the embedded typeface |
@@ -75,6 +75,7 @@ mod hsr;
 pub mod input;
 pub mod marks;
 mod math;
+pub mod matrix;
 pub mod number;
 pub mod object;
 pub mod panels;
