@@ -189,7 +189,7 @@ fn draw_plan(sheet: &mut Sheet, panel: Rect, wall: Wall) -> Result<(), FigureErr
     );
     // Room for names and the eye.
     let frame = Rect::new(
-        panel.min + DVec2::new(150.0, 80.0),
+        panel.min + DVec2::new(190.0, 80.0),
         panel.max - DVec2::new(70.0, 45.0),
     );
     let section = Section::fit(&[DVec2::ZERO, a, b], frame)?;
