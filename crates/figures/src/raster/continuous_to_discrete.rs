@@ -77,7 +77,12 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let (a, b, polygon) = (inputs.get(&A), inputs.get(&B), inputs.get(&POLYGON));
     let (width, height) = SIZE;
     let mut on: Vec<IVec2> = bresenham::segment(a, b).collect();
-    if let Ok(spans) = fill(&[polygon.clone()], FillRule::EvenOdd, width, height) {
+    if let Ok(spans) = fill(
+        core::slice::from_ref(&polygon),
+        FillRule::EvenOdd,
+        width,
+        height,
+    ) {
         on.extend(
             pixels(spans)
                 .into_iter()

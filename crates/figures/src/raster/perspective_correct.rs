@@ -3,7 +3,7 @@
 use ombra_math::glam::{DVec2, DVec3};
 use ombra_raster::attributes::{linear, perspective};
 
-use super::columns::filled;
+use super::columns::{filled, inline};
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
@@ -147,7 +147,7 @@ impl Wall {
 
 fn about(inputs: &Inputs, language: Language) -> About {
     let wall = Wall::of(inputs);
-    let [linear, correct] = wall.middle().map(exact);
+    let [linear, correct] = wall.middle().map(|u| inline(&exact(u)));
     let caption = if wall.w[0] == wall.w[1] {
         LEVEL.text(language).to_owned()
     } else {
@@ -189,7 +189,7 @@ fn draw_plan(sheet: &mut Sheet, panel: Rect, wall: Wall) -> Result<(), FigureErr
     );
     // Room for names and the eye.
     let frame = Rect::new(
-        panel.min + DVec2::new(190.0, 80.0),
+        panel.min + DVec2::new(190.0_f64.min(0.28 * panel.size().x), 80.0),
         panel.max - DVec2::new(70.0, 45.0),
     );
     let section = Section::fit(&[DVec2::ZERO, a, b], frame)?;

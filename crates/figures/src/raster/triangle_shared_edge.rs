@@ -214,13 +214,9 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
         (OPEN, EdgeRule::Open),
     ];
     let pictures = rules.map(|(word, rule)| (word, pair.drawn(rule)));
-    let lines = pictures.each_ref().map(|(word, drawn)| {
-        format!(
-            "{}: {}",
-            word.text(language),
-            drawn.said(language).replace(' ', "\u{a0}")
-        )
-    });
+    let lines = pictures
+        .each_ref()
+        .map(|(word, drawn)| format!("{}: {}", word.text(language), drawn.said(language)));
     let lines = lines.each_ref().map(String::as_str);
     let panels = panels(sheet, &lines, 1.0)?;
     for (i, (panel, (_, drawn))) in panels.into_iter().zip(&pictures).enumerate() {
