@@ -1,7 +1,7 @@
 //! The drawing kit of the course and its figures.
 //!
 //! A figure is a function from a [`style::Style`] and an instructor's own [`input::Inputs`] to a [`drawing::Drawing`]:
-//! one display list that SVG and PNG are both written from, so that they agree. The bytes are the same on every run and
+//! one display list that SVG, PNG and PDF are written from, so that they agree. The bytes are the same on every run and
 //! machine.
 //!
 //! ```
@@ -53,7 +53,7 @@
 //! | [`place`] | where labels go |
 //! | [`colour`], [`path`], [`drawing`] | roles, outlines, the display list |
 //! | [`contour`] | the contour of many triangles |
-//! | [`svg`], [`png`] | writing |
+//! | [`svg`], [`png`], [`pdf`] | writing |
 //! | [`words`] | what a word is, and those that several figures share |
 //!
 //! The figures themselves are free to use in slides: CC0 1.0, as each SVG says. The typeface is DejaVu Sans, under its
@@ -81,6 +81,7 @@ pub mod object;
 pub mod panels;
 pub mod patch;
 pub mod path;
+pub mod pdf;
 pub mod pixels;
 pub mod place;
 pub mod png;

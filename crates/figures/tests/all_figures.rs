@@ -9,6 +9,7 @@ use ombra_figures::drawing::{Drawing, Item, MARGIN};
 use ombra_figures::error::FigureError;
 use ombra_figures::figure::Figure;
 use ombra_figures::input::{Inputs, Kind};
+use ombra_figures::object::said;
 use ombra_figures::path::Rect;
 use ombra_figures::style::{Background, Language, Size, Style, TextForm, Theme};
 use ombra_figures::text::{LABEL, Line, SMALLEST};
@@ -494,7 +495,7 @@ fn steps_build_the_figure_up_in_one_layout() {
 /// Every word of every figure, those that several share, and the gallery's.
 fn words() -> BTreeSet<Word> {
     let of_figures = figures().iter().map(|figure| figure.words);
-    let all = of_figures.chain([words::WORDS, gallery::WORDS, solid::WORDS]);
+    let all = of_figures.chain([words::WORDS, gallery::WORDS, solid::WORDS, said::WORDS]);
     all.flatten().copied().collect()
 }
 
@@ -621,11 +622,18 @@ fn svgs_are_well_formed_and_fit_into_a_page_among_others() {
         drawing.style.background = Background::Transparent;
         let letters = svg::svg(&drawing).unwrap();
         check_svg(&name, &drawing.id, &letters);
+        // A rim is a text of its own, hidden from readers.
+        let rims = letters.matches(" aria-hidden=\"true\"").count();
+        let rects = letters
+            .lines()
+            .filter(|line| line.starts_with("<rect ") && line.contains(" aria-hidden"))
+            .count();
         assert_eq!(
             letters.matches("<text").count(),
-            drawing.labels.len(),
+            drawing.labels.len() + rims - rects,
             "{name}"
         );
+        assert!(!letters.contains("paint-order"), "{name}");
     }
     for figure in figures() {
         let text = docs::docs_svg(figure).unwrap();

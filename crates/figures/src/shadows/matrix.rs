@@ -112,14 +112,14 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let frame = sheet.frame();
     let size = equation.size(sheet)?;
     let aside = frame.size().x - size.x > frame.size().y - size.y;
-    let (mut left, mut corner) = (frame, frame.min);
-    if aside {
+    let mut left = frame;
+    let corner = if aside {
         left.max.x -= size.x + SPACE;
-        corner = DVec2::new(frame.max.x - size.x, frame.centre().y - 0.5 * size.y);
+        DVec2::new(frame.max.x - size.x, frame.centre().y - 0.5 * size.y)
     } else {
         left.max.y -= size.y + SPACE;
-        corner = DVec2::new(frame.centre().x - 0.5 * size.x, frame.max.y - size.y);
-    }
+        DVec2::new(frame.centre().x - 0.5 * size.x, frame.max.y - size.y)
+    };
     draw_scene(sheet, &setting, left, (chosen, number))?;
     equation.draw(sheet, corner)
 }
