@@ -9,8 +9,10 @@ use crate::path::{Path, Rect};
 use crate::sheet::{Align, Centres, Sheet};
 use crate::text::NOTE;
 
-/// What the numbers of a border take up beside the cells.
+/// What the numbers of columns take up below the cells.
 pub const NUMBERS: f64 = 1.7 * NOTE;
+/// What the numbers of rows, of two digits, take up beside them.
+pub const BESIDE: f64 = 2.2 * NOTE;
 /// Share of its colour in a pixel that is on: the ideal line and letters stay readable above it.
 const ON: f64 = 0.5;
 /// Cells smaller than this have no centre points.
@@ -21,8 +23,10 @@ const SMALL: f64 = 18.0;
 pub enum Orientation {
     /// y up, (x, y) the centre of pixel (x, y): segments.
     Mathematical,
-    /// y down, (x, y) the upper left corner of pixel (x, y), (x + ½, y + ½) its centre: polygons and triangles.
+    /// y down, (x, y) the upper left corner of pixel (x, y), (x + ½, y + ½) its centre: triangles.
     Picture,
+    /// y up, (x, y) the lower left corner of pixel (x, y), (x + ½, y + ½) its centre: polygons.
+    Raised,
 }
 
 /// A rectangle of pixels on the canvas.
@@ -65,6 +69,10 @@ impl Grid {
                 f64::from(self.max.y) + 0.5 - p.y,
             ),
             Orientation::Picture => p - self.min.as_dvec2(),
+            Orientation::Raised => DVec2::new(
+                p.x - f64::from(self.min.x),
+                f64::from(self.max.y) + 1.0 - p.y,
+            ),
         };
         self.corner + self.cell * p
     }
@@ -73,7 +81,7 @@ impl Grid {
     pub fn centre(&self, pixel: IVec2) -> DVec2 {
         self.at(match self.orientation {
             Orientation::Mathematical => pixel.as_dvec2(),
-            Orientation::Picture => pixel.as_dvec2() + 0.5,
+            Orientation::Picture | Orientation::Raised => pixel.as_dvec2() + 0.5,
         })
     }
 
@@ -148,6 +156,36 @@ impl Grid {
         });
     }
 
+    /// A cross through each of `pixels`: what should be otherwise.
+    pub fn cross(&self, sheet: &mut Sheet, pixels: &[IVec2], pen: Pen) {
+        let mut crosses = Path::new();
+        for &pixel in pixels {
+            let (centre, half) = (self.centre(pixel), 0.3 * self.cell);
+            for across in [DVec2::ONE, DVec2::new(1.0, -1.0)] {
+                crosses.add_polyline(&[centre - half * across, centre + half * across]);
+            }
+        }
+        sheet.stroke_unmarked(crosses, pen);
+    }
+
+    /// Slanted lines across each of `pixels`: a fill that a grey print tells from another.
+    pub fn hatch(&self, sheet: &mut Sheet, pixels: &[IVec2], pen: Pen) {
+        for &pixel in pixels {
+            let (centre, half) = (self.centre(pixel), 0.5 * self.cell);
+            let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+            let square = square.map(|(x, y)| centre + half * DVec2::new(x, y));
+            sheet.stroke_unmarked(Path::hatching(&square, 0.25 * self.cell), pen.clone());
+        }
+    }
+
+    /// From one number of a border to the next: every cell, or fewer where they would touch.
+    fn every(&self) -> i32 {
+        [1, 2, 5]
+            .into_iter()
+            .find(|&n| self.cell * f64::from(n) >= 1.3 * NOTE)
+            .unwrap_or(10)
+    }
+
     /// The numbers of the columns, below.
     ///
     /// # Errors
@@ -155,7 +193,8 @@ impl Grid {
     /// None that the digits of an integer could give.
     pub fn number_columns(&self, sheet: &mut Sheet) -> Result<(), FigureError> {
         let y = self.bounds().max.y + 0.4 * NOTE;
-        for x in self.min.x..=self.max.x {
+        let every = self.every();
+        for x in (self.min.x..=self.max.x).filter(|x| x % every == 0) {
             let at = DVec2::new(self.centre(IVec2::new(x, self.min.y)).x, y);
             sheet.text(at, Align::Below, &x.to_string(), NOTE, Role::Note)?;
         }
@@ -169,7 +208,8 @@ impl Grid {
     /// As [`Grid::number_columns`].
     pub fn number_rows(&self, sheet: &mut Sheet) -> Result<(), FigureError> {
         let x = self.bounds().min.x - 0.6 * NOTE;
-        for y in self.min.y..=self.max.y {
+        let every = self.every();
+        for y in (self.min.y..=self.max.y).filter(|y| y % every == 0) {
             let at = DVec2::new(x, self.centre(IVec2::new(self.min.x, y)).y);
             sheet.text(at, Align::Right, &y.to_string(), NOTE, Role::Note)?;
         }
@@ -216,6 +256,11 @@ mod tests {
         assert_eq!(down.centre(min), DVec2::new(90.0, 290.0));
         assert_eq!(down.at(min.as_dvec2()), DVec2::new(40.0, 240.0));
         assert_eq!(down.at(min.as_dvec2() + 0.5), down.centre(min));
+        // The lowest row is the first; its corner is the lower left one.
+        let raised = Grid::fit(min, max, Orientation::Raised, FRAME);
+        assert_eq!(raised.centre(min), DVec2::new(90.0, 590.0));
+        assert_eq!(raised.at(min.as_dvec2()), DVec2::new(40.0, 640.0));
+        assert_eq!(raised.at(min.as_dvec2() + 0.5), raised.centre(min));
     }
 
     #[test]

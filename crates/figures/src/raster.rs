@@ -6,6 +6,7 @@ mod bresenham_trace;
 mod columns;
 mod continuous_to_discrete;
 mod dda_rounding;
+mod perspective_correct;
 mod polygon_kinds;
 mod rectangle;
 mod scanline;
@@ -28,4 +29,5 @@ pub(crate) const FIGURES: &[Figure] = &[
     scanline::FIGURE,
     triangle_shared_edge::FIGURE,
     sliver::FIGURE,
+    perspective_correct::FIGURE,
 ];

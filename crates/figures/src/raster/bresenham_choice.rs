@@ -2,14 +2,15 @@
 
 use core::cmp::Ordering;
 
-use ombra_math::glam::{DVec2, IVec2};
-use ombra_raster::bresenham::{Choice, Step, trace};
+use ombra_math::glam::DVec2;
+use ombra_raster::bresenham::{Choice, Step};
 
-use super::columns::SEGMENT;
+use super::columns::{A, AT, B, Ends};
 use crate::colour::Role;
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
+use crate::input::Inputs;
 use crate::marks;
 use crate::number::exact;
 use crate::panels::panels;
@@ -21,10 +22,13 @@ use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/bresenham-choice",
-    takes: Takes::Nothing(crate::words::FIXED),
+    takes: Takes::These(&[A.input, B.input, AT.input]),
     words: WORDS,
-    about: |_, language| About::new(language, SUMMARY, CAPTION),
-    drawn: |sheet, _| draw(sheet),
+    about: |inputs, language| {
+        let about = About::new(language, SUMMARY, CAPTION);
+        Ends::of(inputs).about(about, language)
+    },
+    drawn: draw,
 };
 
 words! {
@@ -36,24 +40,22 @@ words! {
     }
 
     CAPTION {
-        en: "*Q* below *M*: E is nearer. *Q* above *M*: NE is nearer. For *d* = 0 both are equally near, and E is taken.",
-        it: "*Q* sotto *M*: è più vicino E. *Q* sopra *M*: è più vicino NE. Con *d* = 0 è indifferente, e si prende E.",
-        cs: "*Q* pod *M*: blíž je E. *Q* nad *M*: blíž je NE. Při *d* = 0 jsou stejně daleko a bere se E.",
-        hr: "*Q* ispod *M*: bliži je E. *Q* iznad *M*: bliži je NE. Za *d* = 0 jednako su daleko i uzima se E.",
+        en: "*Q* below *M*: E is nearer. *Q* above *M*: NE is nearer. For 2*F* = 0 both are equally near, and E is taken.",
+        it: "*Q* sotto *M*: è più vicino E. *Q* sopra *M*: è più vicino NE. Con 2*F* = 0 è indifferente, e si prende E.",
+        cs: "*Q* pod *M*: blíž je E. *Q* nad *M*: blíž je NE. Při 2*F* = 0 jsou stejně daleko a bere se E.",
+        hr: "*Q* ispod *M*: bliži je E. *Q* iznad *M*: bliži je NE. Za 2*F* = 0 jednako su daleko i uzima se E.",
     }
 }
 
-/// Pixels of [`SEGMENT`] from which the line passes well below the midpoint, and well above it.
-const COLUMNS: [usize; 2] = [2, 4];
-
-fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
-    let (a, b) = SEGMENT;
-    let steps = COLUMNS.map(|x| trace(a, b).nth(x)).into_iter().flatten();
-    let steps: Vec<Step> = steps.collect();
-    let lines: Vec<String> = steps.iter().map(line).collect();
+fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
+    let ends = Ends::of(inputs);
+    let moves = ends.two_moves(inputs.get(&AT))?;
+    let lines: Vec<String> = moves.iter().map(|(_, step)| line(step)).collect();
     let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
-    for (panel, step) in panels(sheet, &lines, 1.0)?.into_iter().zip(&steps) {
-        draw_choice(sheet, panel, step);
+    let panels = panels(sheet, &lines, 1.0)?;
+    for (n, (panel, (i, step))) in panels.into_iter().zip(moves).enumerate() {
+        sheet.panel(n, panel);
+        draw_choice(sheet, panel, ends, f64::from(i), &step);
     }
     Ok(())
 }
@@ -65,41 +67,49 @@ fn line(step: &Step) -> String {
         Ordering::Equal => "= 0",
         Ordering::Greater => "> 0",
     };
-    let d = exact(step.decision as f64 / 2.0);
-    format!("*d* = *F*(*M*) = {d} {sign}: {}", step.choice)
+    let sign = if step.decision == 0 {
+        String::new()
+    } else {
+        format!(" {sign}")
+    };
+    let decision = exact(step.decision as f64);
+    format!("2*F*(*M*) = {decision}{sign}: {}", step.choice).replace(' ', "\u{a0}")
 }
 
-fn draw_choice(sheet: &mut Sheet, panel: Rect, step: &Step) {
+fn draw_choice(sheet: &mut Sheet, panel: Rect, ends: Ends, i: f64, step: &Step) {
+    let [to_east, to_north] = ends.moves();
     let p = step.pixel;
-    let [east, north_east] = [p + IVec2::X, p + IVec2::ONE];
-    let grid = Grid::fit(p, north_east, Orientation::Mathematical, panel);
+    let [east, north_east] = [p + to_east, p + to_east + to_north];
+    let grid = Grid::fit(
+        p.min(north_east),
+        p.max(north_east),
+        Orientation::Mathematical,
+        panel,
+    );
     let (chosen, rejected) = match step.choice {
         Choice::E => (east, north_east),
         Choice::NE => (north_east, east),
     };
     grid.draw_cells(sheet);
     grid.fill(sheet, &[p, chosen], Role::Chosen.into());
-    sheet.stroke_unmarked(
-        grid.cells(&[rejected]),
-        Pen::new(Role::Rejected, NORMAL).dashed(),
-    );
+    let left_out = grid.cells(&[rejected]);
+    sheet.stroke_unmarked(left_out, Pen::new(Role::Rejected, NORMAL).dashed());
 
     // The line across the cells, and the column where it is decided.
-    let m = f64::from(SEGMENT.1.y) / f64::from(SEGMENT.1.x);
-    let on_line = |x: f64| DVec2::new(x, m * x);
-    let x = f64::from(p.x);
-    let next = x + 1.0;
-    sheet.line(
-        grid.centre(east),
-        grid.centre(north_east),
-        Pen::new(Role::Note, THIN).dashed(),
-    );
-    grid.line(sheet, on_line(x - 0.5), on_line(next + 0.5));
+    let both = [east, north_east].map(|pixel| grid.centre(pixel));
+    sheet.line(both[0], both[1], Pen::new(Role::Note, THIN).dashed());
+    ends.draw_line(sheet, &grid, [i - 0.5, i + 1.5]);
 
+    // Directions on the sheet, whatever the octant.
+    let e = (both[0] - grid.centre(p)).normalize_or_zero();
+    let n = (both[1] - both[0]).normalize_or_zero();
+    let height = |q: DVec2, from: DVec2| (q - from).dot(n);
+    let above = height(grid.at(ends.on_line(i)), grid.centre(p)) < 0.0;
+    let beside_p = if above { e + n } else { e - n };
     for (pixel, name, towards) in [
-        (p, "*P*", DVec2::X),
-        (east, "E", DVec2::ONE),
-        (north_east, "NE", DVec2::new(1.0, -1.0)),
+        (p, "*P*", beside_p),
+        (east, "E", e - n),
+        (north_east, "NE", e + n),
     ] {
         let at = grid.centre(pixel);
         if pixel == rejected {
@@ -109,14 +119,14 @@ fn draw_choice(sheet: &mut Sheet, panel: Rect, step: &Step) {
         }
         sheet.label(large(at, name).towards(towards));
     }
-    let midpoint = grid.at(DVec2::new(next, f64::from(p.y) + 0.5));
-    let q = grid.at(on_line(next));
+    let midpoint = 0.5 * (both[0] + both[1]);
+    let q = grid.at(ends.on_line(i + 1.0));
     marks::hollow_point(sheet, midpoint, Role::Undecided);
     marks::point(sheet, q, Role::Text);
     // M in the cell that is left out, Q on the side of M, where the line leaves room.
-    let free = DVec2::new(-1.0, (grid.centre(rejected) - midpoint).y.signum());
-    sheet.label(large(midpoint, "*M*").towards(free));
-    let aside = DVec2::splat((midpoint - q).y.signum());
+    let out = (grid.centre(rejected) - midpoint).normalize_or_zero();
+    sheet.label(large(midpoint, "*M*").towards(out - e));
+    let aside = if step.decision > 0 { e - n } else { n - e };
     sheet.label(large(q, "*Q*").towards(aside));
 }
 

@@ -1,28 +1,33 @@
 //! The next midpoint after E and after NE, and what the decision gains on the way.
 
-use ombra_math::glam::{DVec2, IVec2};
-use ombra_raster::bresenham::{Choice, Step, trace};
+use ombra_math::glam::IVec2;
+use ombra_raster::bresenham::{Choice, Step};
 
-use super::columns::SEGMENT;
+use super::bresenham_trace::gain;
+use super::columns::{A, AT, B, Ends};
 use crate::colour::Role;
 use crate::drawing::NORMAL;
 use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
+use crate::input::Inputs;
 use crate::marks;
 use crate::number::exact;
 use crate::panels::panels;
 use crate::path::Rect;
 use crate::pixels::{Grid, Orientation};
-use crate::sheet::{Label, Sheet};
+use crate::sheet::{Align, Label, Sheet};
 use crate::text::LABEL;
 use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/bresenham-increments",
-    takes: Takes::Nothing(crate::words::FIXED),
+    takes: Takes::These(&[A.input, B.input, AT.input]),
     words: WORDS,
-    about: |_, language| About::new(language, SUMMARY, CAPTION),
-    drawn: |sheet, _| draw(sheet),
+    about: |inputs, language| {
+        let about = About::new(language, SUMMARY, CAPTION);
+        Ends::of(inputs).about(about, language)
+    },
+    drawn: draw,
 };
 
 words! {
@@ -34,10 +39,10 @@ words! {
     }
 
     CAPTION {
-        en: "The decision at the next midpoint *M*′ is an addition away: *dy* after E, *dy* − *dx* after NE.",
-        it: "La decisione nel punto di mezzo successivo *M*′ costa un’addizione: *dy* dopo E, *dy* − *dx* dopo NE.",
-        cs: "K rozhodnutí v dalším prostředním bodě *M*′ stačí sčítání: *dy* po E, *dy* − *dx* po NE.",
-        hr: "Do odluke u sljedećem polovištu *M*′ dovoljno je zbrajanje: *dy* nakon E, *dy* − *dx* nakon NE.",
+        en: "The decision at the next midpoint *M*′ is an addition of integers away: 2*dy* after E, 2*dy* − 2*dx* after NE.",
+        it: "La decisione nel punto di mezzo successivo *M*′ costa un’addizione di interi: 2*dy* dopo E, 2*dy* − 2*dx* dopo NE.",
+        cs: "K rozhodnutí v dalším prostředním bodě *M*′ stačí sčítání celých čísel: 2*dy* po E, 2*dy* − 2*dx* po NE.",
+        hr: "Do odluke u sljedećem polovištu *M*′ dovoljno je zbrajanje cijelih brojeva: 2*dy* nakon E, 2*dy* − 2*dx* nakon NE.",
     }
 
     /// After a choice: before its name.
@@ -49,51 +54,61 @@ words! {
     }
 }
 
-/// The pixels of [`SEGMENT`] shown: one goes on to E, one to NE.
-const COLUMNS: [usize; 2] = [2, 1];
-
-fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
-    let (a, b) = SEGMENT;
+fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
+    let ends = Ends::of(inputs);
+    let moves = ends.two_moves(inputs.get(&AT))?;
     let after = AFTER.text(sheet.style().language);
-    let pairs = COLUMNS.map(|x| Some((trace(a, b).nth(x)?, trace(a, b).nth(x + 1)?)));
-    let pairs: Vec<(Step, Step)> = pairs.into_iter().flatten().collect();
-    let lines: Vec<String> = pairs
-        .iter()
-        .map(|(step, next)| {
-            let [d, new] = [step, next].map(|step| exact(step.decision as f64 / 2.0));
-            let (dx, dy) = (b.x - a.x, b.y - a.y);
-            let added = match step.choice {
-                Choice::E => format!("+ {dy}"),
-                Choice::NE => format!("+ {dy} − {dx}"),
-            };
-            let sum = format!("*d* = {d} {added} = {new}").replace(' ', "\u{a0}");
-            format!("{after}\u{a0}{}: {sum}", step.choice)
-        })
-        .collect();
+    let [dx, dy] = ends.extent().map(i64::from);
+    let line = |step: &Step| {
+        let next = match step.choice {
+            Choice::E => step.decision + 2 * dy,
+            Choice::NE => step.decision + 2 * dy - 2 * dx,
+        };
+        let [old, new] = [step.decision, next].map(|decision| exact(decision as f64));
+        let gain = gain(ends, step.choice)
+            .replace('+', "+ ")
+            .replace('−', "− ");
+        let sum = format!("2*F*(*M*′) = {old} {gain} = {new}").replace(' ', "\u{a0}");
+        format!("{after}\u{a0}{}: {sum}", step.choice)
+    };
+    let lines: Vec<String> = moves.iter().map(|(_, step)| line(step)).collect();
     let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
-    for (panel, (step, next)) in panels(sheet, &lines, 1.0)?.into_iter().zip(&pairs) {
-        draw_increment(sheet, panel, step, next);
+    let panels = panels(sheet, &lines, 1.0)?;
+    for (n, (panel, (i, step))) in panels.into_iter().zip(moves).enumerate() {
+        sheet.panel(n, panel);
+        draw_increment(sheet, panel, ends, f64::from(i), &step)?;
     }
     Ok(())
 }
 
-fn draw_increment(sheet: &mut Sheet, panel: Rect, step: &Step, next: &Step) {
+fn draw_increment(
+    sheet: &mut Sheet,
+    panel: Rect,
+    ends: Ends,
+    i: f64,
+    step: &Step,
+) -> Result<(), FigureError> {
+    let [to_east, to_north] = ends.moves();
     let p = step.pixel;
-    let grid = Grid::fit(p, p + IVec2::splat(2), Orientation::Mathematical, panel);
-    grid.draw(sheet, &[(Role::Chosen.into(), &[p, next.pixel])]);
-    let m = f64::from(SEGMENT.1.y) / f64::from(SEGMENT.1.x);
-    let [from, to] = [-0.5, 2.5].map(|x| f64::from(p.x) + x);
-    grid.line(sheet, DVec2::new(from, m * from), DVec2::new(to, m * to));
+    let next = match step.choice {
+        Choice::E => p + to_east,
+        Choice::NE => p + to_east + to_north,
+    };
+    let far = p + 2 * to_east + 2 * to_north;
+    let grid = Grid::fit(p.min(far), p.max(far), Orientation::Mathematical, panel);
+    grid.draw(sheet, &[(Role::Chosen.into(), &[p, next])]);
+    ends.draw_line(sheet, &grid, [i - 0.5, i + 2.5]);
 
-    for (pixel, name) in [(p, "*P*"), (next.pixel, step.choice.to_string().as_str())] {
+    // Directions on the sheet, whatever the octant.
+    let on_sheet = |step: IVec2| (grid.centre(p + step) - grid.centre(p)).normalize_or_zero();
+    let [e, n] = [to_east, to_north].map(on_sheet);
+    for (pixel, name) in [(p, "*P*"), (next, step.choice.to_string().as_str())] {
         marks::point(sheet, grid.centre(pixel), Role::Chosen);
-        let label = Label::new(grid.centre(pixel), name).towards(DVec2::Y);
+        let label = Label::new(grid.centre(pixel), name).towards(-n);
         sheet.label(label.size(1.25 * LABEL).beside());
     }
-    let [old, new] = [step, next].map(|step| {
-        let p = step.pixel.as_dvec2();
-        grid.at(p + DVec2::new(1.0, 0.5))
-    });
+    let midpoint = |p: IVec2| grid.at((p + to_east).as_dvec2() + 0.5 * to_north.as_dvec2());
+    let (old, new) = (midpoint(p), midpoint(next));
     let along = (new - old).normalize_or_zero();
     let rim = 2.0 * marks::DOT;
     marks::arrow(
@@ -104,17 +119,32 @@ fn draw_increment(sheet: &mut Sheet, panel: Rect, step: &Step, next: &Step) {
         NORMAL,
     );
     // M off the border of the pixels, M′ beyond the arrow.
-    let before = DVec2::new(-1.0, if along.y < 0.0 { 1.0 } else { -1.0 });
+    let before = match step.choice {
+        Choice::E => n - e,
+        Choice::NE => -n - e,
+    };
     for (at, name, towards) in [(old, "*M*", before), (new, "*M*′", along)] {
         marks::hollow_point(sheet, at, Role::Undecided);
         let label = Label::new(at, name).towards(towards);
         sheet.label(label.size(1.25 * LABEL).beside());
     }
-    // The line runs between the arrow to NE and what lies above it.
+    // Below the arrow to NE there is a row of pixels for what it adds.
+    if step.choice == Choice::NE && to_east.y == 0 {
+        let at = grid.centre(p) + 1.55 * grid.cell() * e;
+        sheet.text(
+            at,
+            Align::Centre,
+            "+ 2*dy* − 2*dx*",
+            1.1 * LABEL,
+            Role::Text,
+        )?;
+        return Ok(());
+    }
     let (increment, share, towards) = match step.choice {
-        Choice::E => ("+ *dy*", 0.5, DVec2::NEG_Y),
-        Choice::NE => ("+ *dy* − *dx*", 0.25, DVec2::X),
+        Choice::E => ("+ 2*dy*", 0.5, n),
+        Choice::NE => ("+ 2*dy* − 2*dx*", 0.25, e),
     };
     let label = Label::new(old.lerp(new, share), increment).towards(towards);
-    sheet.label(label.size(1.25 * LABEL).beside());
+    sheet.label(label.size(1.1 * LABEL).beside());
+    Ok(())
 }

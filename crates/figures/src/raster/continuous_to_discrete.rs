@@ -4,11 +4,13 @@ use ombra_math::glam::{DVec2, IVec2};
 use ombra_raster::bresenham;
 use ombra_raster::polygon::{FillRule, fill};
 
-use super::columns::pixels;
+use super::columns::{FIRST_END, LAST_END, pixels};
+use super::scanline::POLYGON_WORD;
 use crate::colour::{Ink, Role};
-use crate::drawing::{NORMAL, Pen, THIN};
+use crate::drawing::{EMPHASIS, NORMAL, Pen};
 use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
+use crate::input::{Ask, Inputs};
 use crate::panels::panels;
 use crate::path::Path;
 use crate::pixels::{Grid, Orientation};
@@ -17,10 +19,10 @@ use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "raster/continuous-to-discrete",
-    takes: Takes::Nothing(crate::words::FIXED),
+    takes: Takes::These(&[A.input, B.input, POLYGON.input]),
     words: WORDS,
     about: |_, language| About::new(language, SUMMARY, CAPTION),
-    drawn: |sheet, _| draw(sheet),
+    drawn: draw,
 };
 
 words! {
@@ -55,32 +57,57 @@ words! {
     }
 }
 
-const SIZE: (u32, u32) = (16, 14);
-const SEGMENT: (IVec2, IVec2) = (IVec2::new(1, 12), IVec2::new(14, 7));
-const POLYGON: [(f64, f64); 5] = [(4.3, 0.8), (11.6, 1.7), (14.2, 5.3), (7.4, 8.2), (1.6, 6.1)];
+/// Pixels across and down.
+const SIZE: (u32, u32) = (13, 10);
+const ENDS: [[i32; 2]; 2] = [[0, 0], [12, 9]];
+const A: Ask<IVec2> = Ask::pixel("a", "*A*", FIRST_END, [1, 0], ENDS);
+const B: Ask<IVec2> = Ask::pixel("b", "*B*", LAST_END, [11, 2], ENDS);
+const POLYGON: Ask<Vec<DVec2>> = Ask::polygon(
+    "polygon",
+    "",
+    POLYGON_WORD,
+    &[[3.3, 9.4], [9.6, 8.6], [12.4, 5.7], [6.4, 3.4], [0.7, 5.4]],
+    [3, 12],
+    [[0.0, 0.0], [13.0, 10.0]],
+);
 
-fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
+fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let language = sheet.style().language;
     let lines = [CONTINUOUS, DISCRETE].map(|word| word.text(language));
-    let polygon = POLYGON.map(DVec2::from);
+    let (a, b, polygon) = (inputs.get(&A), inputs.get(&B), inputs.get(&POLYGON));
     let (width, height) = SIZE;
-    let mut on: Vec<IVec2> = bresenham::segment(SEGMENT.0, SEGMENT.1).collect();
-    if let Ok(spans) = fill(&[polygon.to_vec()], FillRule::EvenOdd, width, height) {
-        on.extend(pixels(spans));
+    let mut on: Vec<IVec2> = bresenham::segment(a, b).collect();
+    if let Ok(spans) = fill(
+        core::slice::from_ref(&polygon),
+        FillRule::EvenOdd,
+        width,
+        height,
+    ) {
+        on.extend(
+            pixels(spans)
+                .into_iter()
+                .filter(|pixel| !on.contains(pixel))
+                .collect::<Vec<_>>(),
+        );
     }
     let last = IVec2::new(width as i32 - 1, height as i32 - 1);
-    for (i, panel) in panels(sheet, &lines, 1.0)?.into_iter().enumerate() {
-        let grid = Grid::fit(IVec2::ZERO, last, Orientation::Picture, panel);
+    let ratio = f64::from(height) / f64::from(width);
+    for (i, panel) in panels(sheet, &lines, ratio)?.into_iter().enumerate() {
+        sheet.panel(i, panel);
+        let grid = Grid::fit(IVec2::ZERO, last, Orientation::Raised, panel);
         let outline = Path::polygon(&grid.contour(&polygon));
-        let [a, b] = [SEGMENT.0, SEGMENT.1].map(|end| grid.centre(end));
+        let [a, b] = [a, b].map(|end| grid.centre(end));
         if i == 0 {
-            sheet.fill(outline.clone(), Ink::of(Role::Occluder).tint(0.25));
-            sheet.stroke(outline, Pen::new(Role::Occluder, NORMAL));
-            sheet.line(a, b, Pen::new(Role::Occluder, NORMAL));
+            let area = (
+                Ink::of(Role::Occluder).tint(0.25).into(),
+                crate::drawing::FillRule::EvenOdd,
+            );
+            sheet.shape(outline, Some(area), Some(Pen::new(Role::Occluder, NORMAL)));
+            sheet.line(a, b, Pen::new(Role::Occluder, EMPHASIS));
         } else {
             grid.draw(sheet, &[(Role::Chosen.into(), &on)]);
-            grid.polygon(sheet, &polygon);
-            sheet.line(a, b, Pen::new(Role::Text, THIN));
+            sheet.stroke(outline, Pen::new(Role::Text, NORMAL));
+            sheet.line(a, b, Pen::new(Role::Text, NORMAL));
         }
     }
     Ok(())
