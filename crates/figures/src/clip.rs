@@ -10,6 +10,7 @@ mod point_window;
 mod polygon_cases;
 mod segment_cases;
 mod sutherland_hodgman;
+mod w_zero;
 
 use crate::figure::Figure;
 
@@ -23,4 +24,5 @@ pub(crate) const FIGURES: &[Figure] = &[
     cyrus_beck::FIGURE,
     sutherland_hodgman::FIGURE,
     polygon_cases::FIGURE,
+    w_zero::FIGURE,
 ];
