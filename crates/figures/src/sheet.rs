@@ -195,7 +195,11 @@ impl Sheet {
     /// the panel or right beside it.
     pub fn panel(&mut self, i: usize, panel: Rect) {
         self.step(i + 1);
-        self.within = Some(panel.grown(0.45 * GUTTER));
+        let around = panel.grown(0.45 * GUTTER);
+        self.within = Some(Rect::new(
+            around.min.max(self.frame.min),
+            around.max.min(self.frame.max),
+        ));
     }
 
     /// What is drawn from now on belongs to no step and no panel.
@@ -336,6 +340,22 @@ impl Sheet {
             ink,
         });
         bounds
+    }
+
+    /// A line in the middle of the upper border; the frame then begins below it.
+    ///
+    /// # Errors
+    ///
+    /// Those of its markup.
+    pub fn heading(&mut self, markup: &str) -> Result<(), FigureError> {
+        let line = self.lay_out(markup, LABEL)?;
+        let start = DVec2::new(
+            self.frame.centre().x - 0.5 * line.width,
+            self.frame.min.y + line.ascent,
+        );
+        self.frame.min.y += line.ascent + line.descent + 0.6 * LABEL;
+        self.set_at(line, start, Role::Text.into());
+        Ok(())
     }
 
     /// Places the labels and hands over the drawing; what finds no place is in its [`Drawing::over`].

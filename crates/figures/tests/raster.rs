@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use ombra_figures::course::select;
-use ombra_figures::figure::Inputs;
+use ombra_figures::input::Inputs;
 use ombra_figures::style::Style;
 
 fn words(id: &str) -> Vec<String> {

@@ -105,18 +105,18 @@ words! {
 
     /// An input.
     FIRST_WORD {
-        en: "corners of the polygon *A*",
-        it: "vertici del poligono *A*",
-        cs: "vrcholy polygonu *A*",
-        hr: "vrhovi poligona *A*",
+        en: "corners of the polygon A",
+        it: "vertici del poligono A",
+        cs: "vrcholy polygonu A",
+        hr: "vrhovi poligona A",
     }
 
     /// An input.
     LAST_WORD {
-        en: "corners of the polygon *C*",
-        it: "vertici del poligono *C*",
-        cs: "vrcholy polygonu *C*",
-        hr: "vrhovi poligona *C*",
+        en: "corners of the polygon C",
+        it: "vertici del poligono C",
+        cs: "vrcholy polygonu C",
+        hr: "vrhovi poligona C",
     }
 }
 

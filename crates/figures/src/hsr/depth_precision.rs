@@ -94,18 +94,15 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
         series::<Depth24>(PRECISION_24.text(language), 0),
         series::<ReversedDepth32F>(REVERSED.text(language), 0),
     ];
-    let planes = format!("*n* = {}, *f* = {}", decimal(NEAR), decimal(FAR));
+    let planes = format!("*n* = {} m, *f* = {} m", decimal(NEAR), decimal(FAR));
     let chart = Chart {
         id: FIGURE.id.to_owned(),
         title: SUMMARY.text(language).to_owned(),
-        x: Axis::new(
-            DISTANCE.text(language),
-            format!("m   ({planes})"),
-            Scale::Log,
-        ),
+        x: Axis::new(DISTANCE.text(language), "m", Scale::Log),
         y: Axis::new(STEP.text(language), "m", Scale::Log),
         series,
         pareto: None,
+        settings: planes,
     };
     chart.draw_on(sheet)
 }

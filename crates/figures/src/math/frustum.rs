@@ -50,34 +50,34 @@ words! {
 
     /// An input.
     LEFT {
-        en: "*x* of the left side of the near section",
-        it: "*x* del lato sinistro della sezione vicina",
-        cs: "*x* levé strany bližšího řezu",
-        hr: "*x* lijeve stranice bližeg presjeka",
+        en: "x of the left side of the near section",
+        it: "x del lato sinistro della sezione vicina",
+        cs: "x levé strany bližšího řezu",
+        hr: "x lijeve stranice bližeg presjeka",
     }
 
     /// An input.
     RIGHT {
-        en: "*x* of the right side of the near section",
-        it: "*x* del lato destro della sezione vicina",
-        cs: "*x* pravé strany bližšího řezu",
-        hr: "*x* desne stranice bližeg presjeka",
+        en: "x of the right side of the near section",
+        it: "x del lato destro della sezione vicina",
+        cs: "x pravé strany bližšího řezu",
+        hr: "x desne stranice bližeg presjeka",
     }
 
     /// An input.
     BOTTOM {
-        en: "*y* of the lower side of the near section",
-        it: "*y* del lato inferiore della sezione vicina",
-        cs: "*y* dolní strany bližšího řezu",
-        hr: "*y* donje stranice bližeg presjeka",
+        en: "y of the lower side of the near section",
+        it: "y del lato inferiore della sezione vicina",
+        cs: "y dolní strany bližšího řezu",
+        hr: "y donje stranice bližeg presjeka",
     }
 
     /// An input.
     TOP {
-        en: "*y* of the upper side of the near section",
-        it: "*y* del lato superiore della sezione vicina",
-        cs: "*y* horní strany bližšího řezu",
-        hr: "*y* gornje stranice bližeg presjeka",
+        en: "y of the upper side of the near section",
+        it: "y del lato superiore della sezione vicina",
+        cs: "y horní strany bližšího řezu",
+        hr: "y gornje stranice bližeg presjeka",
     }
 
     /// An input.

@@ -49,10 +49,10 @@ words! {
 
     /// An input.
     FROM_X {
-        en: "the angle from *x* towards *y*, in degrees",
-        it: "l’angolo da *x* verso *y*, in gradi",
-        cs: "úhel od *x* k *y* ve stupních",
-        hr: "kut od *x* prema *y* u stupnjevima",
+        en: "the angle from x towards y, in degrees",
+        it: "l’angolo da x verso y, in gradi",
+        cs: "úhel od x k y ve stupních",
+        hr: "kut od x prema y u stupnjevima",
     }
 
     /// An input.
