@@ -12,7 +12,7 @@ use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
 use crate::input::{Ask, Inputs};
 use crate::marks;
-use crate::number::{as_typed, exact};
+use crate::number::{as_typed, inline};
 use crate::path::{Path, Rect};
 use crate::section::Section;
 use crate::sheet::{Label, Sheet};
@@ -25,7 +25,7 @@ pub(super) const FIGURE: Figure = Figure {
     about: |inputs, language| {
         let segment = Segment::new(inputs.get(&A), inputs.get(&B));
         let convex = inputs.get(&CONVEX);
-        let [from, to] = in_common(&rows(&convex, segment)).map(exact);
+        let [from, to] = in_common(&rows(&convex, segment)).map(inline);
         let left = match cyrus_beck::clip_segment(&convex, segment) {
             Some(_) => LEFT.text(language).replace("%1", &from).replace("%2", &to),
             None => NOTHING.text(language).to_owned(),

@@ -11,7 +11,7 @@ use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
 use crate::input::{Ask, Inputs};
 use crate::marks;
-use crate::number::exact;
+use crate::number::{exact, inline};
 use crate::path::Rect;
 use crate::sheet::{Label, Sheet};
 use crate::words::words;
@@ -22,7 +22,7 @@ pub(super) const FIGURE: Figure = Figure {
     words: WORDS,
     about: |inputs, language| {
         let (window, segment) = given(inputs);
-        let [from, to] = in_common(&rows(&window, segment)).map(exact);
+        let [from, to] = in_common(&rows(&window, segment)).map(inline);
         let left = match liang_barsky::clip_segment(&window, segment) {
             Some(_) => LEFT.text(language).replace("%1", &from).replace("%2", &to),
             None => NOTHING.text(language).to_owned(),
@@ -219,7 +219,7 @@ mod tests {
             (DVec2::new(2.0, 6.0), DVec2::new(10.0, 2.0))
         );
         let caption = FIGURE.caption(&inputs, Language::En);
-        assert!(caption.contains("Kept: {3|8} ≤ *t* ≤ {7|8}."), "{caption}");
+        assert!(caption.contains("Kept: 3/8 ≤ *t* ≤ 7/8."), "{caption}");
         let moved = inputs.with(&B.input, "-4,-9").unwrap();
         assert!(FIGURE.caption(&moved, Language::En).contains("nothing"));
     }

@@ -71,12 +71,12 @@ words! {
         hr: "*B* kao jedan: bez mosta",
     }
 
-    /// The third picture; a number follows.
+    /// The third picture, with the number of pieces.
     CASE_PIECES {
-        en: "*B* in pieces: ",
-        it: "*B* in componenti: ",
-        cs: "*B* po částech: ",
-        hr: "*B* u dijelovima: ",
+        en: "*B* in pieces: %1",
+        it: "*B* in componenti: %1",
+        cs: "*B* po částech: %1",
+        hr: "*B* u dijelovima: %1",
     }
 
     /// The fourth picture.
@@ -175,7 +175,9 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     } else {
         CASE_BRIDGES
     };
-    let third = format!("{}{}", CASE_PIECES.text(language), parts.len());
+    let third = CASE_PIECES
+        .text(language)
+        .replace("%1", &parts.len().to_string());
     let [first, second, fourth, fifth] =
         [first, second, CASE_LOOSE, CASE_CLOSED].map(|word| word.text(language));
     let lines = [first, second, &third, fourth, fifth];

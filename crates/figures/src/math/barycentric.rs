@@ -9,7 +9,7 @@ use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
 use crate::input::{Ask, Inputs};
 use crate::marks;
-use crate::number::{as_typed, exact};
+use crate::number::{as_typed, exact, inline};
 use crate::panels::panels;
 use crate::path::Path;
 use crate::section::Section;
@@ -24,7 +24,7 @@ pub(super) const FIGURE: Figure = Figure {
     about: |inputs, language| {
         let about = About::new(language, SUMMARY, CAPTION);
         let sum = weights(inputs).map(|weights| {
-            let [alpha, beta, gamma] = weights.to_array().map(exact);
+            let [alpha, beta, gamma] = weights.to_array().map(inline);
             SUM.text(language)
                 .replace("%1", &alpha)
                 .replace("%2", &beta)
