@@ -98,9 +98,9 @@ fn decision(step: &Step, language: Language) -> String {
         Decision::Reject => format!("AND {both}: {}", REJECT.text(language)),
         Decision::Cut { side, .. } => {
             let (axis, at) = line(side);
-            // Unbreakable spaces keep the cut on one line.
-            let cut = format!("{} *{axis}* = {at}", CUT_AT.text(language)).replace(' ', "\u{a0}");
-            format!("OR {either}, AND {both}: {cut}")
+            // Unbreakable spaces keep each part on one line.
+            let cut = CUT_AT.text(language);
+            format!("OR {either}, AND\u{a0}{both}: {cut} *{axis}*\u{a0}=\u{a0}{at}")
         }
     }
 }
@@ -133,8 +133,16 @@ fn draw_step(
         if cut == Some(side) {
             let [a, b] = line.map(|p| board.at(p));
             sheet.line(a, b, Pen::new(Role::Receiver, THIN).dashed());
-            let label =
-                Label::new(b, name).towards(if a.y == b.y { DVec2::NEG_Y } else { DVec2::X });
+            // At the end that is farther from the segment.
+            let free = |end: DVec2| {
+                let (from, to) = (board.at(step.segment.a), board.at(step.segment.b));
+                let along = (to - from) / 16.0;
+                let places = (0..=16).map(|k| (from + along * f64::from(k)).distance(end));
+                places.fold(f64::INFINITY, f64::min)
+            };
+            let end = if free(a) > free(b) { a } else { b };
+            let aside = if a.y == b.y { DVec2::NEG_Y } else { DVec2::X };
+            let label = Label::new(end, name).towards(aside);
             sheet.label(label.reach(4.0).beside());
         }
     }
