@@ -11,7 +11,7 @@ use crate::sheet::{Align, Sheet};
 use crate::text::{LABEL, NOTE};
 
 /// The part of all t that is shown.
-const SHOWN: [f64; 2] = [-0.3, 1.3];
+const SHOWN: [f64; 2] = [-0.3, 1.45];
 /// Half the height of a bar.
 const HALF: f64 = 15.0;
 /// Between a row's name and its bar.
@@ -120,7 +120,11 @@ pub(super) fn draw(
             let ink = if decides { Role::Chosen } else { Role::Text };
             sheet.line(at - tick, at + tick, Pen::new(ink, NORMAL));
             let at = at + DVec2::new(14.0 * out, 0.0);
-            sheet.text(at, align, &exact(t), NOTE, ink)?;
+            // It stands beside the segment, too, and is left out where it would lie on a name or the border.
+            let reach = at.x + out * sheet.lay_out(&exact(t), NOTE)?.width;
+            if start - 0.7 * GAP < reach && reach < frame.max.x {
+                sheet.text(at, align, &exact(t), NOTE, ink)?;
+            }
         }
     }
 
