@@ -1,8 +1,12 @@
 //! The object a figure shows: a built-in solid or an instructor's own OBJ file, checked before anything is drawn.
 
 mod obj;
+mod polygon;
+pub mod said;
+mod statements;
 
-pub use obj::from_obj;
+pub use obj::{LeftOut, from_obj, read_obj};
+pub use said::said;
 
 use core::str::FromStr;
 use std::fs::File;
@@ -27,8 +31,7 @@ pub const LABELLED: usize = 16;
 pub struct NamedMesh {
     /// `cube`, `teapot`, or the file's path.
     pub name: String,
-    /// Its triangles. A solid and a file of more than [`LABELLED`] vertices stand in the place of the lectures' cube; a
-    /// smaller file, whose coordinates the figure shows, stays where it is.
+    /// Its triangles. A built-in solid stands in the place of the lectures' cube, a file's object where the file says.
     pub mesh: Mesh,
 }
 
@@ -41,33 +44,48 @@ pub const SOLIDS: &str = "cube, teapot, sphere, torus";
 impl FromStr for NamedMesh {
     type Err = FigureError;
 
-    /// A built-in solid by name, in small or capital letters, in the place of the lectures' cube; or the file of that
-    /// path.
+    /// A built-in solid by name, in small or capital letters, in the place of the lectures’ cube; or the file of that path
+    /// as it is.
     fn from_str(name: &str) -> Result<Self, FigureError> {
+        NamedMesh::read(name).map(|(named, _)| named)
+    }
+}
+
+impl NamedMesh {
+    /// What the name parses to, and what of the file is left out.
+    ///
+    /// # Errors
+    ///
+    /// [`FigureError::Object`] when there is neither a solid nor a readable OBJ file of that name.
+    pub fn read(name: &str) -> Result<(NamedMesh, LeftOut), FigureError> {
         let built_in = |solid: Result<Mesh, solids::SolidError>| {
             let mesh = solid.map_err(|error| FigureError::Object {
                 file: name.to_owned(),
                 reason: error.to_string(),
             })?;
-            Ok(in_place_of_the_cube(mesh))
+            Ok((in_place_of_the_cube(mesh), LeftOut::default()))
         };
         let small = name.to_ascii_lowercase();
         let solid = SOLIDS.split(", ").find(|&solid| solid == small);
         let name = solid.unwrap_or(name);
-        let mesh = match name {
-            "cube" => solids::slide_cube(),
+        let (mesh, left_out) = match name {
+            "cube" => (solids::slide_cube(), LeftOut::default()),
             "teapot" => built_in(solids::teapot(12))?,
             "sphere" => built_in(solids::sphere(1.0, 48, 24))?,
             "torus" => built_in(solids::torus(3.0, 1.2, 64, 24))?,
-            _ => match from_file(name)? {
-                mesh if mesh.positions.len() > LABELLED => in_place_of_the_cube(mesh),
-                mesh => mesh,
-            },
+            _ => from_file(name)?,
         };
-        Ok(NamedMesh {
-            name: name.to_owned(),
-            mesh,
-        })
+        let name = name.to_owned();
+        Ok((NamedMesh { name, mesh }, left_out))
+    }
+
+    /// The same object in the place of the lectures' cube and of its size.
+    #[must_use]
+    pub fn fitted(self) -> NamedMesh {
+        NamedMesh {
+            mesh: in_place_of_the_cube(self.mesh),
+            ..self
+        }
     }
 }
 
@@ -87,7 +105,7 @@ pub fn in_place_of_the_cube(mut mesh: Mesh) -> Mesh {
     mesh
 }
 
-fn from_file(name: &str) -> Result<Mesh, FigureError> {
+fn from_file(name: &str) -> Result<(Mesh, LeftOut), FigureError> {
     let wrong = |reason: String| FigureError::Object {
         file: name.to_owned(),
         reason,
@@ -119,9 +137,11 @@ fn from_file(name: &str) -> Result<Mesh, FigureError> {
     if bytes.len() as u64 > MOST_BYTES {
         return Err(too_long());
     }
-    let text = core::str::from_utf8(&bytes)
-        .map_err(|_| wrong("is not an OBJ file: it is not text".to_owned()))?;
-    from_obj(text).map_err(wrong)
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err(wrong("is UTF-16 text: save it as UTF-8".to_owned()));
+    }
+    // Names and comments may be in any encoding: they do not matter.
+    read_obj(&String::from_utf8_lossy(&bytes)).map_err(wrong)
 }
 
 #[cfg(test)]

@@ -5,13 +5,15 @@ mod painted;
 mod pixels;
 pub mod sight;
 
+use std::collections::BTreeSet;
+
 use ombra_math::glam::{DVec2, DVec3};
 use ombra_math::mesh::{Edge, Mesh};
 
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
-use crate::object::LABELLED;
+use crate::object::{LABELLED, NamedMesh, said};
 use crate::path::Path;
 use crate::sheet::Sheet;
 use crate::space::View;
@@ -21,7 +23,7 @@ use crate::words::{Word, words};
 /// Two faces that meet under less than this cosine show their edge: 30°.
 const CREASE: f64 = 0.866_025_403_784_438_6;
 
-/// The edges where a mesh folds or ends, as pairs of vertices.
+/// The edges where a mesh folds or ends, as pairs of vertices, each once.
 pub fn creases(mesh: &Mesh) -> Vec<[usize; 2]> {
     let normal = |face: Option<u32>| {
         let [a, b, c] = mesh.triangle(usize::try_from(face?).ok()?)?;
@@ -36,7 +38,9 @@ pub fn creases(mesh: &Mesh) -> Vec<[usize; 2]> {
         Some([end(edge.from)?, end(edge.to)?])
     };
     let edges = mesh.edges();
-    edges.into_iter().filter(folds).filter_map(ends).collect()
+    let mut creases: Vec<_> = edges.into_iter().filter(folds).filter_map(ends).collect();
+    creases.dedup();
+    creases
 }
 
 /// Draws a mesh, whatever of it is in front hiding what is behind. Back edges are dashed for a mesh of at most 16
@@ -46,7 +50,10 @@ pub fn creases(mesh: &Mesh) -> Vec<[usize; 2]> {
 ///
 /// [`FigureError::Scene`] when a mesh of more than [`MOST_PAINTED`] triangles cannot be drawn by the z-buffer.
 pub fn mesh(sheet: &mut Sheet, view: &View, mesh: &Mesh, role: Role) -> Result<(), FigureError> {
-    let solid = Solid::new(view, mesh, role, sheet.style().theme);
+    let mut solid = Solid::new(view, mesh, role, sheet.style().theme);
+    if solid.edges.len() > MOST_EDGES {
+        solid.edges.clear();
+    }
     let edges = if is_painted(mesh) {
         painted::draw(sheet, view, &solid);
         edges::visible(view, &solid)
@@ -66,8 +73,45 @@ pub fn mesh(sheet: &mut Sheet, view: &View, mesh: &Mesh, role: Role) -> Result<(
 /// cross are cut into very many pieces.
 pub const MOST_PAINTED: usize = 4096;
 
+/// Most edges that are drawn: more would cover the faces.
+pub const MOST_EDGES: usize = 20_000;
+
+/// Faces whose boxes in space have on average more than this many others' boxes to meet are not painted either: they
+/// may cut each other into more pieces than there is room for.
+const MOST_MEETINGS: usize = 64;
+
 fn is_painted(mesh: &Mesh) -> bool {
-    mesh.triangles.len() <= MOST_PAINTED
+    mesh.triangles.len() <= MOST_PAINTED && meetings(mesh) <= MOST_MEETINGS * mesh.triangles.len()
+}
+
+/// How many pairs of different triangles have boxes with a point in common.
+fn meetings(mesh: &Mesh) -> usize {
+    let mut seen = BTreeSet::new();
+    let mut boxes: Vec<[DVec3; 2]> = (0..mesh.triangles.len())
+        .filter(|&i| {
+            mesh.triangles
+                .get(i)
+                .is_some_and(|t| seen.insert(unordered(*t)))
+        })
+        .filter_map(|i| mesh.triangle(i))
+        .map(|[a, b, c]| [a.min(b).min(c), a.max(b).max(c)])
+        .collect();
+    boxes.sort_by(|[a, _], [b, _]| a.x.total_cmp(&b.x));
+    let mut count = 0;
+    for (i, [low, high]) in boxes.iter().enumerate() {
+        let later = boxes.iter().skip(i + 1);
+        let later = later.take_while(|[other, _]| other.x <= high.x);
+        count += later
+            .filter(|[other, end]| other.cmple(*high).all() && end.cmpge(*low).all())
+            .count();
+    }
+    count
+}
+
+/// The same for all triangles with these corners.
+pub(crate) fn unordered(mut triangle: [u32; 3]) -> [u32; 3] {
+    triangle.sort_unstable();
+    triangle
 }
 
 words! {
@@ -80,9 +124,13 @@ words! {
     }
 }
 
-/// What the caption has to say of how the picture of a solid is made.
-pub(crate) fn note(mesh: &Mesh) -> Option<Word> {
-    (!is_painted(mesh)).then_some(BY_PIXELS)
+/// What the caption has to say of an object, and of how its picture is made.
+pub(crate) fn notes(object: &NamedMesh) -> Vec<Word> {
+    let mut notes = said(object);
+    if !is_painted(&object.mesh) {
+        notes.push(BY_PIXELS);
+    }
+    notes
 }
 
 /// A mesh as the eye sees it.
@@ -116,6 +164,8 @@ impl Solid {
             .all(|edge| edge.left.is_some() && edge.right.is_some());
 
         let mut faces = Vec::new();
+        // One face again and again is seen once.
+        let mut drawn = BTreeSet::new();
         let seen: Vec<Option<Seen>> = (0..)
             .zip(&mesh.triangles)
             .map(|(i, &[p, q, r])| {
@@ -124,7 +174,7 @@ impl Solid {
                 let normal = (b - a).cross(c - a).normalize_or_zero();
                 // Counter-clockwise in space is the negative side on a canvas whose y points down.
                 let front = (v - u).perp_dot(w - u) < 0.0;
-                if front || !is_closed {
+                if (front || !is_closed) && drawn.insert(unordered([p, q, r])) {
                     let ink = tint(role, if front { normal } else { -normal }, theme);
                     faces.push(Face { corners, ink });
                 }
@@ -133,6 +183,8 @@ impl Solid {
             .collect();
 
         let (mut folds, mut back) = (Vec::new(), Path::new());
+        // Records of the same two vertices follow each other; one of them is enough.
+        let mut last = [None; 2];
         for edge in &edges {
             let beside = |face: Option<u32>| seen.get(usize::try_from(face?).ok()?)?.as_ref();
             let sides = [edge.left, edge.right].map(beside);
@@ -146,6 +198,10 @@ impl Solid {
             let (true, Some(from), Some(to)) = (shown, at(edge.from), at(edge.to)) else {
                 continue;
             };
+            let ends = Some((edge.from, edge.to));
+            if core::mem::replace(&mut last[usize::from(turned_away)], ends) == ends {
+                continue;
+            }
             if turned_away {
                 back.add_polyline(&[from, to]);
                 continue;

@@ -9,6 +9,7 @@ use ombra_figures::drawing::{Drawing, Item, MARGIN};
 use ombra_figures::error::FigureError;
 use ombra_figures::figure::Figure;
 use ombra_figures::input::{Inputs, Kind};
+use ombra_figures::object::said;
 use ombra_figures::path::Rect;
 use ombra_figures::style::{Background, Language, Size, Style, TextForm, Theme};
 use ombra_figures::text::{LABEL, Line, SMALLEST};
@@ -494,7 +495,7 @@ fn steps_build_the_figure_up_in_one_layout() {
 /// Every word of every figure, those that several share, and the gallery's.
 fn words() -> BTreeSet<Word> {
     let of_figures = figures().iter().map(|figure| figure.words);
-    let all = of_figures.chain([words::WORDS, gallery::WORDS, solid::WORDS]);
+    let all = of_figures.chain([words::WORDS, gallery::WORDS, solid::WORDS, said::WORDS]);
     all.flatten().copied().collect()
 }
 

@@ -189,6 +189,9 @@ fn draw(options: &Options) -> Result<(), String> {
         }
     }
 
+    for line in settings.left_out() {
+        eprintln!("ombra: {line}");
+    }
     let bar = progress(jobs.len() as u64);
     let (mut files, mut drawn) = (0, Vec::new());
     for Job { figure, inputs } in &jobs {

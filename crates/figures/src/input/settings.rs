@@ -6,13 +6,14 @@ use std::sync::Arc;
 use super::{Inputs, Kind, Value};
 use crate::error::FigureError;
 use crate::figure::{Figure, Takes};
-use crate::object::{NamedMesh, in_place_of_the_cube};
+use crate::object::{LeftOut, NamedMesh};
 
 /// Texts by the names of inputs; each figure takes those that it has. An object is read once for all of them.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     texts: BTreeMap<String, String>,
     objects: BTreeMap<String, Arc<NamedMesh>>,
+    left_out: Vec<String>,
     /// Whether an object from a file is moved and scaled to the place of the lectures' cube.
     pub fit: bool,
 }
@@ -55,23 +56,12 @@ impl Settings {
             let Some(text) = self.texts.get(input.name) else {
                 continue;
             };
-            let value = match (input.kind, self.objects.get(text)) {
-                (Kind::Object { .. }, Some(object)) => Value::Object(object.clone()),
-                _ => input.read(text)?,
-            };
-            let value = match value {
-                Value::Object(object) if !self.objects.contains_key(text) => {
-                    let object = if self.fit {
-                        let NamedMesh { name, mesh } = (*object).clone();
-                        let mesh = in_place_of_the_cube(mesh);
-                        Arc::new(NamedMesh { name, mesh })
-                    } else {
-                        object
-                    };
-                    self.objects.insert(text.clone(), object.clone());
-                    Value::Object(object)
+            let value = match input.kind {
+                Kind::Object { .. } => {
+                    let text = text.clone();
+                    Value::Object(self.object(&text)?)
                 }
-                value => value,
+                _ => input.read(text)?,
             };
             inputs.fitted |= self.fit && matches!(value, Value::Object(_));
             inputs.put(input, value);
@@ -86,6 +76,25 @@ impl Settings {
             inputs.step = text.trim().parse().map_err(|_| wrong())?;
         }
         Ok(inputs)
+    }
+
+    /// The object of that name, read at its first use.
+    fn object(&mut self, text: &str) -> Result<Arc<NamedMesh>, FigureError> {
+        if let Some(object) = self.objects.get(text) {
+            return Ok(object.clone());
+        }
+        let (object, left_out) = NamedMesh::read(text)?;
+        if left_out != LeftOut::default() {
+            self.left_out.push(format!("{text}: left out: {left_out}"));
+        }
+        let object = Arc::new(if self.fit { object.fitted() } else { object });
+        self.objects.insert(text.to_owned(), object.clone());
+        Ok(object)
+    }
+
+    /// What of the objects read so far is not shown, a line each.
+    pub fn left_out(&self) -> &[String] {
+        &self.left_out
     }
 
     /// Checks that each name is an input of at least one of `figures`.

@@ -66,9 +66,10 @@ pub(super) const fn light(default: [f64; 4]) -> Ask<DVec4> {
 }
 
 /// What is to be said of the object.
-pub(super) fn of_object(inputs: &Inputs, language: Language) -> Option<&'static str> {
-    let word = solid::note(&inputs.get(&OBJECT).mesh)?;
-    Some(word.text(language))
+pub(super) fn of_object(inputs: &Inputs, language: Language) -> Option<String> {
+    let words = solid::notes(inputs.get(&OBJECT).as_ref()).into_iter();
+    let said: Vec<&str> = words.map(|word| word.text(language)).collect();
+    (!said.is_empty()).then(|| said.join(" "))
 }
 
 /// What is to be said of an object of which a part has no shadow.

@@ -1,5 +1,7 @@
 //! The shadow itself: one path, and the edges on it.
 
+use std::collections::BTreeSet;
+
 use ombra_math::glam::DVec2;
 use ombra_shadows::planar::cast_onto;
 
@@ -11,7 +13,7 @@ use crate::contour::contours;
 use crate::drawing::{Pen, THIN};
 use crate::path::Path;
 use crate::sheet::Sheet;
-use crate::solid::creases;
+use crate::solid::{creases, unordered};
 
 impl Setting {
     /// The shadow of every triangle in one path, all of one winding, so that no seam shows.
@@ -38,8 +40,13 @@ impl Setting {
 
         let mut path = Path::new();
         let mut whole: Vec<[u32; 3]> = Vec::new();
+        // The shadow of one triangle again and again is one.
+        let mut cast = BTreeSet::new();
         for i in self.triangles_that_cast() {
             let [a, b, c] = self.mesh.triangles.get(i).copied().unwrap_or_default();
+            if !cast.insert(unordered([a, b, c])) {
+                continue;
+            }
             if let (Some(pa), Some(pb), Some(pc)) = (place(a), place(b), place(c)) {
                 let negative = signed_area(&[pa, pb, pc]) < 0.0;
                 whole.push(if negative { [a, c, b] } else { [a, b, c] });

@@ -275,3 +275,60 @@ fn the_matrix_of_a_view_does_what_the_view_does() {
         assert!((view.depth(p) - depth).abs() < 1e-12, "{p}");
     }
 }
+
+/// Faces that lie one on the other are one face with one border, in space and in the picture.
+#[test]
+fn what_lies_double_is_drawn_once() {
+    let once = solids::tetrahedron();
+    let mut often = once.clone();
+    for _ in 0..1000 {
+        often.triangles.extend_from_slice(&once.triangles);
+    }
+    let view = view_of(&once);
+    let draw = |mesh: &Mesh| {
+        let solid = Solid::new(&view, mesh, Role::Occluder, Theme::Light);
+        (
+            solid.faces.len(),
+            solid.edges.len(),
+            solid.back.chords().len(),
+        )
+    };
+    assert_eq!(draw(&often), draw(&once));
+    assert_eq!(meetings(&often), 6);
+    assert_eq!(creases(&often), creases(&once));
+    // The same with a face away, so that it is open.
+    let lid_off = |mut mesh: Mesh| {
+        mesh.triangles
+            .retain(|t| unordered(*t) != unordered(once.triangles[0]));
+        draw(&mesh)
+    };
+    assert_eq!(lid_off(often.clone()), lid_off(once.clone()));
+}
+
+/// The solids are painted, and what crosses itself everywhere is not, however few its faces.
+#[test]
+fn what_would_be_cut_to_pieces_is_not_painted() {
+    for name in crate::object::SOLIDS.split(", ") {
+        let mesh = name.parse::<NamedMesh>().unwrap().mesh;
+        assert_eq!(
+            is_painted(&mesh),
+            mesh.triangles.len() <= MOST_PAINTED,
+            "{name}"
+        );
+    }
+    // Slats through one middle, each at an angle of its own.
+    let slats = |n: u32| {
+        let corners = (0..n).flat_map(|i| {
+            let across = DVec2::from_angle(f64::from(i) * 0.1) * 10.0;
+            [
+                across.extend(-1.0),
+                across.extend(1.0),
+                (-across).extend(0.0),
+            ]
+        });
+        let triangles = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+        Mesh::new(corners.collect(), triangles.collect()).unwrap()
+    };
+    assert!(is_painted(&slats(100)));
+    assert!(!is_painted(&slats(1000)));
+}
