@@ -148,7 +148,7 @@ fn free_cell(cells: &[Rect]) -> Option<Rect> {
         .count();
     let next = cells.get(cells.len() % columns)?;
     let min = DVec2::new(next.min.x, last.min.y);
-    (cells.len() % columns != 0).then(|| Rect::new(min, min + last.size()))
+    (!cells.len().is_multiple_of(columns)).then(|| Rect::new(min, min + last.size()))
 }
 
 /// The part of what is shown on the inner side of a line.
