@@ -1,12 +1,16 @@
 //! Figures of the clipping lecture: what is kept is vermilion, what is cut off faint and dashed.
 
+mod bars;
 mod board;
 mod cohen_sutherland;
+mod cyrus_beck;
+mod liang_barsky;
 mod outcodes;
 mod point_window;
 mod polygon_cases;
 mod segment_cases;
 mod sutherland_hodgman;
+mod w_zero;
 
 use crate::figure::Figure;
 
@@ -16,6 +20,9 @@ pub(crate) const FIGURES: &[Figure] = &[
     segment_cases::FIGURE,
     outcodes::FIGURE,
     cohen_sutherland::FIGURE,
+    liang_barsky::FIGURE,
+    cyrus_beck::FIGURE,
     sutherland_hodgman::FIGURE,
     polygon_cases::FIGURE,
+    w_zero::FIGURE,
 ];

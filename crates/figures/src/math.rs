@@ -1,5 +1,6 @@
 //! Figures of the mathematics that all lectures share, shown beside the modules they explain.
 
+mod barycentric;
 mod frustum;
 mod marks;
 mod plane;
@@ -8,4 +9,9 @@ mod spherical;
 use crate::figure::Figure;
 
 /// In the order of the lecture.
-pub(crate) const FIGURES: &[Figure] = &[plane::FIGURE, spherical::FIGURE, frustum::FIGURE];
+pub(crate) const FIGURES: &[Figure] = &[
+    plane::FIGURE,
+    barycentric::FIGURE,
+    spherical::FIGURE,
+    frustum::FIGURE,
+];

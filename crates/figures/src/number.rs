@@ -23,6 +23,15 @@ pub fn exact(x: f64) -> String {
     }
 }
 
+/// [`exact`] for running text, whose lines are too close for a stacked fraction: −300/7.
+pub fn inline(x: f64) -> String {
+    let stacked = exact(x);
+    match stacked.contains('|') {
+        true => stacked.replace(['{', '}'], "").replace('|', "/"),
+        false => stacked,
+    }
+}
+
 /// Numerator and denominator of `x.abs()`, if it is exactly the double nearest to a fraction with a small denominator.
 pub fn fraction(x: f64) -> Option<(u32, u32)> {
     let x = x.abs();
@@ -138,6 +147,8 @@ mod tests {
         assert_eq!(exact(f64::from_bits(seventh.to_bits() + 1)), "−42.86");
         assert_eq!(exact(f64::from_bits(seventh.to_bits() - 1)), "−42.86");
         assert_eq!(exact(12.5), "{25|2}");
+        assert_eq!(inline(-12.5), "−25/2");
+        assert_eq!(inline(-1.25e-7), "−1.25·10^{−7}");
         assert_eq!(exact(0.1), "{1|10}");
         assert_eq!(exact(core::f64::consts::PI), "3.142");
         assert_eq!(exact(-20.0), "−20");

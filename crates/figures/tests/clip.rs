@@ -26,12 +26,17 @@ fn count(id: &str, word: &str) -> usize {
     words(id).iter().filter(|found| *found == word).count()
 }
 
-/// Three points lie outside: right, below, and left above.
+/// Two points lie outside: on the right, and on the left above.
 #[test]
-fn a_point_outside_breaks_the_inequality_beside_it() {
-    for broken in ["x < xmin", "x > xmax", "y < ymin", "y > ymax"] {
+fn a_point_outside_breaks_the_inequality_said_of_it() {
+    for broken in ["Q: x > xmax", "R: x < xmin", "R: y > ymax"] {
         assert_eq!(count("clip/point-window", broken), 1, "{broken}");
     }
+    assert!(
+        !words("clip/point-window")
+            .iter()
+            .any(|word| word.starts_with("P:"))
+    );
 }
 
 /// Grafica 3, Clipping di un segmento: AB stays, CD and GH are cut, EF and IJ go.
@@ -74,19 +79,26 @@ fn outcodes_have_a_1_for_each_side_beyond() {
     );
 }
 
-/// From above the window to below it: both codes become 0000, that of the end above first.
+/// From above on the left to below on the right: three cuts, and each of the four bits occurs.
 #[test]
-fn cohen_sutherland_cuts_twice() {
+fn cohen_sutherland_cuts_three_times() {
     let id = "clip/cohen-sutherland-steps";
-    for (end, times) in [("A 1000", 1), ("B 0100", 2), ("A′ 0000", 2), ("B′ 0000", 1)] {
+    for (end, times) in [
+        ("A 1001", 1),
+        ("B 0110", 2),
+        ("A′ 0000", 3),
+        ("B′ 0010", 1),
+        ("B′ 0000", 1),
+    ] {
         assert_eq!(count(id, end), times, "{end}");
     }
     let words = words(id);
     let sentence = |words: &[String]| words.join(" ").replace('\u{a0}', " ");
     let all = sentence(&words);
     for line in [
-        "OR 1100, AND 0000: cut at y = ymax",
-        "OR 0100, AND 0000: cut at y = ymin",
+        "OR 1111, AND 0000: cut at y = ymax",
+        "OR 0110, AND 0000: cut at y = ymin",
+        "OR 0010, AND 0000: cut at x = xmax",
         "OR 0000: accepted",
     ] {
         assert!(all.contains(line), "'{line}' is not in {all}");

@@ -12,6 +12,9 @@ use crate::section::Section;
 use crate::sheet::{Label, Sheet};
 use crate::words::words;
 
+/// Depth of the hatched strip beyond a line.
+const BEYOND: f64 = 16.0;
+
 /// A window on the canvas and the part of the plane shown around it.
 pub(super) struct Board {
     pub(super) window: Window,
@@ -48,6 +51,25 @@ impl Board {
         sheet.stroke(border, Pen::new(Role::Receiver, NORMAL));
     }
 
+    /// Its border alone.
+    pub(super) fn draw_border(&self, sheet: &mut Sheet) {
+        let border = Path::polygon(&self.contour(&corners(&self.window)));
+        sheet.stroke(border, Pen::new(Role::Receiver, NORMAL));
+    }
+
+    /// A hatched strip beyond a line of [`Board::lines`], as far as it is shown.
+    pub(super) fn draw_beyond(&self, sheet: &mut Sheet, line: usize) {
+        let Some(&[a, b]) = self.lines().get(line) else {
+            return;
+        };
+        let [a, b] = [a, b].map(|p| self.at(p));
+        let out = [DVec2::NEG_Y, DVec2::Y, DVec2::X, DVec2::NEG_X];
+        let out = out.get(line).copied().unwrap_or_default() * BEYOND;
+        let hatches = Path::hatching(&[a, b, b + out, a + out], 12.0);
+        sheet.stroke_unmarked(hatches, Pen::new(Role::Note, THIN));
+        sheet.line(a, b, Pen::new(Role::Text, NORMAL));
+    }
+
     /// The lines that its sides lie on, across all that is shown.
     pub(super) fn draw_lines(&self, sheet: &mut Sheet) {
         for line in self.lines() {
@@ -71,6 +93,9 @@ impl Board {
 
     /// What is kept of a polygon.
     pub(super) fn draw_kept(&self, sheet: &mut Sheet, polygon: &[DVec2]) {
+        if polygon.is_empty() {
+            return;
+        }
         let outline = Path::polygon(&self.contour(polygon));
         sheet.fill(outline.clone(), Ink::of(Role::Chosen).alpha(0.28));
         sheet.stroke(outline, Pen::new(Role::Chosen, NORMAL));
@@ -119,6 +144,14 @@ words! {
         it: "due vertici opposti del rettangolo di clipping",
         cs: "dva protilehlé rohy okna",
         hr: "dva nasuprotna vrha prozora",
+    }
+
+    /// An input.
+    pub(super) POLYGON_WORD {
+        en: "corners of the polygon",
+        it: "vertici del poligono",
+        cs: "vrcholy polygonu",
+        hr: "vrhovi poligona",
     }
 
     /// An input.

@@ -27,10 +27,10 @@ pub(super) const FIGURE: Figure = Figure {
 
 words! {
     SUMMARY {
-        en: "Cohen–Sutherland: a segment cut twice, with its codes at every step",
-        it: "Cohen–Sutherland: un segmento tagliato due volte, con i codici a ogni passo",
-        cs: "Cohen–Sutherland: úsečka dvakrát oříznutá, s kódy v každém kroku",
-        hr: "Cohen–Sutherland: dužina dvaput odsječena, s kodovima u svakom koraku",
+        en: "Cohen–Sutherland: a segment cut at one line after another, with its codes",
+        it: "Cohen–Sutherland: un segmento tagliato a una retta dopo l’altra, con i codici",
+        cs: "Cohen–Sutherland: úsečka řezaná jednou přímkou po druhé, s kódy",
+        hr: "Cohen–Sutherland: dužina odsijecana pravac po pravac, s kodovima",
     }
 
     CAPTION {
@@ -65,9 +65,9 @@ words! {
     }
 }
 
-/// Cut above, below and on the right: each kind of bit occurs.
-const A: Ask<DVec2> = Ask::point("a", "*A*", FIRST_END, [-4.0, 13.0], RANGE);
-const B: Ask<DVec2> = Ask::point("b", "*B*", LAST_END, [14.0, -2.0], RANGE);
+/// Cut above, below and on the right; each of the four bits occurs.
+const A: Ask<DVec2> = Ask::point("a", "*A*", FIRST_END, [-2.0, 13.0], RANGE);
+const B: Ask<DVec2> = Ask::point("b", "*B*", LAST_END, [14.0, -3.0], RANGE);
 const WINDOW: Ask<Vec<DVec2>> = asked(&[[0.0, 0.0], [10.0, 10.0]]);
 /// Free around window and segment.
 const AROUND: f64 = 0.12;
@@ -98,9 +98,9 @@ fn decision(step: &Step, language: Language) -> String {
         Decision::Reject => format!("AND {both}: {}", REJECT.text(language)),
         Decision::Cut { side, .. } => {
             let (axis, at) = line(side);
-            // Unbreakable spaces keep the cut on one line.
-            let cut = format!("{} *{axis}* = {at}", CUT_AT.text(language)).replace(' ', "\u{a0}");
-            format!("OR {either}, AND {both}: {cut}")
+            // Unbreakable spaces keep each part on one line.
+            let cut = CUT_AT.text(language);
+            format!("OR {either}, AND\u{a0}{both}: {cut} *{axis}*\u{a0}=\u{a0}{at}")
         }
     }
 }
@@ -133,8 +133,16 @@ fn draw_step(
         if cut == Some(side) {
             let [a, b] = line.map(|p| board.at(p));
             sheet.line(a, b, Pen::new(Role::Receiver, THIN).dashed());
-            let label =
-                Label::new(b, name).towards(if a.y == b.y { DVec2::NEG_Y } else { DVec2::X });
+            // At the end that is farther from the segment.
+            let free = |end: DVec2| {
+                let (from, to) = (board.at(step.segment.a), board.at(step.segment.b));
+                let along = (to - from) / 16.0;
+                let places = (0..=16).map(|k| (from + along * f64::from(k)).distance(end));
+                places.fold(f64::INFINITY, f64::min)
+            };
+            let end = if free(a) > free(b) { a } else { b };
+            let aside = if a.y == b.y { DVec2::NEG_Y } else { DVec2::X };
+            let label = Label::new(end, name).towards(aside);
             sheet.label(label.reach(4.0).beside());
         }
     }
@@ -161,14 +169,24 @@ fn draw_step(
         } else {
             marks::hollow_point(sheet, board.at(end), Role::Undecided);
         }
-        // Away from the other end.
-        let aside = end
-            - if name == "A" {
-                step.segment.b
-            } else {
-                step.segment.a
-            };
-        board.name(sheet, end, label, aside);
+        // An end that is given: away from the other. A new one: off the line, away from the window.
+        let along = step.segment.b - step.segment.a;
+        let aside = if end != start {
+            let middle = 0.5 * (board.window.min + board.window.max);
+            along.perp() * (end - middle).dot(along.perp())
+        } else if name == "A" {
+            -along
+        } else {
+            along
+        };
+        let aside = DVec2::new(aside.x, -aside.y);
+        let ink = if code.is_inside() {
+            Role::Chosen
+        } else {
+            Role::Text
+        };
+        let label = Label::new(board.at(end), label).towards(aside).ink(ink);
+        sheet.label(label.beside());
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Pen, THIN};
 use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
+use crate::input::{Ask, Inputs};
 use crate::marks;
 use crate::number::exact;
 use crate::panels::panels;
@@ -18,10 +19,10 @@ use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "math/frustum",
-    takes: Takes::Nothing(crate::words::FIXED),
+    takes: Takes::These(&[L.input, R.input, B.input, T.input, N.input, F.input]),
     words: WORDS,
-    about: |_, language| About::new(language, SUMMARY, CAPTION),
-    drawn: |sheet, _| draw(sheet),
+    about: |_, language| About::new(language, SUMMARY, CAPTION).and(Some(TURNED.text(language))),
+    drawn: draw,
 };
 
 words! {
@@ -39,28 +40,85 @@ words! {
         hr: "Ravnina *z* = −2*fn* / (*f* + *n*) dolazi u sredinu kocke: polovica svih dubina leži ispred nje.",
     }
 
+    /// On the axes.
+    TURNED {
+        en: "*z* turns round: in the cube it points away from the eye.",
+        it: "*z* si inverte: nel cubo punta lontano dall’occhio.",
+        cs: "*z* se obrací: v krychli míří od oka.",
+        hr: "*z* se okreće: u kocki pokazuje od oka.",
+    }
+
+    /// An input.
+    LEFT {
+        en: "x of the left side of the near section",
+        it: "x del lato sinistro della sezione vicina",
+        cs: "x levé strany bližšího řezu",
+        hr: "x lijeve stranice bližeg presjeka",
+    }
+
+    /// An input.
+    RIGHT {
+        en: "x of the right side of the near section",
+        it: "x del lato destro della sezione vicina",
+        cs: "x pravé strany bližšího řezu",
+        hr: "x desne stranice bližeg presjeka",
+    }
+
+    /// An input.
+    BOTTOM {
+        en: "y of the lower side of the near section",
+        it: "y del lato inferiore della sezione vicina",
+        cs: "y dolní strany bližšího řezu",
+        hr: "y donje stranice bližeg presjeka",
+    }
+
+    /// An input.
+    TOP {
+        en: "y of the upper side of the near section",
+        it: "y del lato superiore della sezione vicina",
+        cs: "y horní strany bližšího řezu",
+        hr: "y gornje stranice bližeg presjeka",
+    }
+
+    /// An input.
+    NEAR {
+        en: "the distance of the near plane",
+        it: "la distanza del piano vicino",
+        cs: "vzdálenost bližší roviny",
+        hr: "udaljenost bliže ravnine",
+    }
+
+    /// An input.
+    FAR {
+        en: "the distance of the far plane",
+        it: "la distanza del piano lontano",
+        cs: "vzdálenost vzdálenější roviny",
+        hr: "udaljenost dalje ravnine",
+    }
+
     /// The first picture.
     BEFORE {
-        en: "What the eye sees along\u{a0}−*z*",
-        it: "Ciò che l’occhio vede lungo\u{a0}−*z*",
-        cs: "Co vidí oko ve směru −*z*",
-        hr: "Što oko vidi uzduž −*z*",
+        en: "The eye looks along\u{a0}−*z*",
+        it: "L’occhio guarda lungo\u{a0}−*z*",
+        cs: "Oko hledí ve směru\u{a0}−*z*",
+        hr: "Oko gleda uzduž\u{a0}−*z*",
     }
 
     /// The second picture.
     AFTER {
-        en: "After the matrix and the division by\u{a0}*w*",
-        it: "Dopo la matrice e la divisione per\u{a0}*w*",
-        cs: "Po násobení maticí a dělení\u{a0}*w*",
-        hr: "Nakon matrice i dijeljenja s\u{a0}*w*",
+        en: "After matrix and division: *z* turned",
+        it: "Dopo matrice e divisione: *z* invertito",
+        cs: "Po matici a dělení: *z* obráceno",
+        hr: "Nakon matrice i dijeljenja: *z* okrenut",
     }
 }
 
-/// l = −r and b = −t.
-const R: f64 = 0.55;
-const T: f64 = 0.45;
-const N: f64 = 1.0;
-const F: f64 = 3.0;
+const L: Ask<f64> = Ask::number("left", "*l*", LEFT, -0.55, [-3.0, 3.0]);
+const R: Ask<f64> = Ask::number("right", "*r*", RIGHT, 0.55, [-3.0, 3.0]);
+const B: Ask<f64> = Ask::number("bottom", "*b*", BOTTOM, -0.45, [-3.0, 3.0]);
+const T: Ask<f64> = Ask::number("top", "*t*", TOP, 0.45, [-3.0, 3.0]);
+const N: Ask<f64> = Ask::number("near", "*n*", NEAR, 1.0, [0.25, 8.0]);
+const F: Ask<f64> = Ask::number("far", "*f*", FAR, 3.0, [0.25, 20.0]);
 
 /// A rectangle across the view, counter-clockwise from the lower left corner as the eye sees it.
 type Section = [DVec3; 4];
@@ -75,15 +133,15 @@ fn cube_stage(p: DVec3) -> DVec3 {
     DVec3::new(p.z, p.y, p.x)
 }
 
-/// The frustum's section at a distance from the eye.
-fn section(distance: f64) -> Section {
-    [(-R, -T), (R, -T), (R, T), (-R, T)].map(|(x, y)| DVec3::new(x, y, -N) * (distance / N))
-}
-
-fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
-    let matrix = view::frustum(-R, R, -T, T, N, F).map_err(|error| FigureError::Scene {
+fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
+    let [l, r, b, t, n, f] = [&L, &R, &B, &T, &N, &F].map(|ask| inputs.get(ask));
+    let matrix = view::frustum(l, r, b, t, n, f).map_err(|error| FigureError::Scene {
         reason: error.to_string(),
     })?;
+    // The section at a distance from the eye.
+    let section = |distance: f64| -> Section {
+        [(l, b), (r, b), (r, t), (l, t)].map(|(x, y)| DVec3::new(x, y, -n) * (distance / n))
+    };
     let language = sheet.style().language;
     let lines = [BEFORE, AFTER].map(|word| word.text(language));
     let [before, after] = panels(sheet, &lines, 1.0)?[..] else {
@@ -91,9 +149,23 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     };
 
     // Near, the distance that becomes the middle of the cube, far.
-    let sections = [N, 2.0 * F * N / (F + N), F].map(section);
-    let picture = Picture::new(before, stage, sections, 1.05, 50.0)?;
-    picture.draw(sheet, 0.95);
+    let sections = [n, 2.0 * f * n / (f + n), f].map(section);
+    sheet.panel(0, before);
+    let [near, _, far] = sections;
+    let size = far.iter().chain(&near).map(|p| p.abs().max_element());
+    let size = size.fold(0.0, f64::max) / 3.0;
+    let picture = Picture::new(before, stage, sections, 1.05 * size, 50.0)?;
+    // Where the eye sees the corners.
+    for corner in near {
+        let pen = Pen::new(Role::Ray, THIN).dashed();
+        polyline(
+            sheet,
+            &picture.view,
+            &[stage(DVec3::ZERO), stage(corner)],
+            pen,
+        );
+    }
+    picture.draw(sheet, 0.95 * size);
     let sides = ["*l*", "*r*", "*b*", "*t*"].map(str::to_owned);
     let depths = ["−*n*", "−2*fn* / (*f* + *n*)", "−*f*"].map(str::to_owned);
     picture.name(sheet, &sides, &depths);
@@ -103,6 +175,7 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
         marks::eye(sheet, eye, ahead - eye);
     }
 
+    sheet.panel(1, after);
     let cube = sections.map(|section| section.map(|p| matrix.project_point3(p)));
     let picture = Picture::new(after, cube_stage, cube, 0.0, 125.0)?;
     picture.draw(sheet, 0.7);
@@ -209,5 +282,28 @@ impl Picture {
                 );
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::style::Style;
+
+    #[test]
+    fn what_has_no_extent_is_said_and_an_oblique_frustum_is_drawn() {
+        let style = Style::default();
+        let with =
+            |name: &Ask<f64>, value: &str| Inputs::default().with(&name.input, value).unwrap();
+        let error = FIGURE.draw(&style, &with(&R, "-0.55")).unwrap_err();
+        assert!(error.to_string().contains("-0.55"), "{error}");
+        let error = FIGURE.draw(&style, &with(&F, "1")).unwrap_err();
+        assert!(error.to_string().contains('1'), "{error}");
+        let oblique = FIGURE.draw(&style, &with(&L, "0.1")).unwrap();
+        assert_ne!(
+            oblique.items,
+            FIGURE.draw(&style, &Inputs::default()).unwrap().items
+        );
+        assert_eq!(FIGURE.steps(&style, &Inputs::default()).unwrap(), 2);
     }
 }
