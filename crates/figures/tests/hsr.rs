@@ -53,7 +53,7 @@ fn a_ray_meets_the_plane_of_c_outside_c() {
 fn the_painter_goes_from_the_farthest_to_the_nearest() {
     says(
         "hsr/painter-steps",
-        &["C, the farthest", "then A", "then D", "B, the nearest"],
+        &["first C", "then A", "then D", "last B"],
     );
 }
 
