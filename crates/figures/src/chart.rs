@@ -1,7 +1,14 @@
-//! Charts: curves labelled at their ends, ticks at round values, the Pareto front as a stepped line.
+//! Charts: curves named beside their ends, ticks at round values, the Pareto front as a stepped line.
 //!
 //! plotters maps the values and draws the curves; its backend here is the display list, in hundredths, so that SVG and
 //! PNG agree. Axes, ticks and words are the kit's own.
+//!
+//! - Names stand in a column to the right, each at the height of its curve's end; where the canvas is no wider than high,
+//!   in a list below. They shrink to the smallest letters before a chart has no room.
+//! - A logarithmic axis that [shows zeros](Axis::with_zero) has a band below for them, a lane a curve, so that curves
+//!   that are all exact do not hide each other.
+//! - A curve that ends before the others has a bar across its end, and [says why](Series::end).
+//! - Upright bars reach from one quartile to the other, where a series [has them](Series::quartiles).
 //!
 //! ```
 //! use ombra_figures::chart::{Axis, Chart, Scale, Series};
@@ -14,6 +21,7 @@
 //!     y: Axis::new("error", "", Scale::Log),
 //!     series: vec![Series::new("matrix", vec![(2.0, 1e-7), (3.0, 1e-16)])],
 //!     pareto: None,
+//!     settings: "2000 vertices".to_owned(),
 //! };
 //! let drawing = chart.draw(&Style::default())?;
 //! assert!(drawing.labels.iter().any(|label| label.text == "matrix"));
@@ -23,18 +31,18 @@
 mod axes;
 mod curve;
 mod front;
+mod names;
 mod plotted;
 mod span;
 mod strokes;
 
+use self::axes::Layout;
 use self::curve::{curve, mark};
 use self::plotted::Plotted;
 use self::span::Span;
-use crate::colour::Role;
-use crate::drawing::{Drawing, Pen};
+use crate::drawing::Drawing;
 use crate::error::FigureError;
-use crate::marks::DOT;
-use crate::sheet::{Label, Sheet};
+use crate::sheet::Sheet;
 use crate::style::Style;
 
 /// How values lie along an axis.
@@ -55,6 +63,10 @@ pub struct Axis {
     pub unit: String,
     /// How values lie along it.
     pub scale: Scale,
+    /// Whether a logarithmic axis that goes upwards has a band of its own for exact zeros. It is drawn where there are some.
+    pub zero: bool,
+    /// Where a linear axis has its ticks, which it does not reach beyond; round values where there are none.
+    pub at: Vec<f64>,
 }
 
 impl Axis {
@@ -64,13 +76,30 @@ impl Axis {
             title: title.into(),
             unit: unit.into(),
             scale,
+            zero: false,
+            at: Vec::new(),
         }
+    }
+
+    /// With a band for exact zeros.
+    pub fn with_zero(self) -> Axis {
+        Axis { zero: true, ..self }
+    }
+
+    /// With ticks at these values, where it is linear.
+    pub fn with_ticks(self, at: Vec<f64>) -> Axis {
+        Axis { at, ..self }
+    }
+
+    /// Whether `value` lies in the band of zeros.
+    fn is_zero(&self, value: f64) -> bool {
+        self.zero && self.scale == Scale::Log && value == 0.0
     }
 
     fn words(&self) -> String {
         match self.unit.as_str() {
             "" => self.title.clone(),
-            unit => format!("{} / {unit}", self.title),
+            unit => format!("{} ({unit})", self.title),
         }
     }
 }
@@ -86,6 +115,21 @@ pub struct Series {
     pub joined: bool,
     /// What the points are held against, such as a formula: a line without marks, in the same colour. Empty for none.
     pub line: Vec<(f64, f64)>,
+    /// What else is said below its name, such as what is lost there. Empty for nothing.
+    pub note: String,
+    /// Why it ends where it does, said below its name; a bar stands across its end. Empty where it just ends.
+    pub end: String,
+    /// Bars through points: where, from which lower to which upper quartile.
+    pub quartiles: Vec<Bar>,
+}
+
+/// From a lower to an upper quartile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bar {
+    /// The lower end, as a point of the chart.
+    pub from: (f64, f64),
+    /// The upper end.
+    pub to: (f64, f64),
 }
 
 impl Series {
@@ -96,6 +140,9 @@ impl Series {
             points,
             joined: true,
             line: Vec::new(),
+            note: String::new(),
+            end: String::new(),
+            quartiles: Vec::new(),
         }
     }
 }
@@ -115,6 +162,8 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// The points that nothing beats in both directions, named; less is better on both axes.
     pub pareto: Option<Vec<(String, (f64, f64))>>,
+    /// At which settings it was made, in the markup of [`crate::text`]: a line above the axes. Empty for none.
+    pub settings: String,
 }
 
 impl Chart {
@@ -139,39 +188,46 @@ impl Chart {
         let every = || {
             self.series
                 .iter()
-                .flat_map(|series| series.points.iter().chain(&series.line))
+                .flat_map(|series| {
+                    let bars = series.quartiles.iter().flat_map(|bar| [&bar.from, &bar.to]);
+                    series.points.iter().chain(&series.line).chain(bars)
+                })
                 .chain(front.iter().map(|(_, p)| p))
         };
         // A curve may begin on the upright axis, single points may not.
         let x = Span::new(&self.x, every().map(|p| p.0), self.pareto.is_some())?;
         let y = Span::new(&self.y, every().map(|p| p.1), true)?;
 
-        let area = self.area(sheet, &y)?;
+        let layout = Layout::new(self, sheet, [&x, &y])?;
         let canvas = sheet.frame().max + sheet.frame().min;
         let Plotted {
             lines,
-            ticks: [ticks_x, ticks_y],
+            ticks,
             points,
+            bars,
             front: steps,
-        } = self.plot(canvas, area, [&x, &y], &front)?;
+        } = self.plot(canvas, &layout, [&x, &y], &front)?;
 
-        self.draw_axes(sheet, area, (&x, &ticks_x), (&y, &ticks_y))?;
+        layout.draw_axes(sheet, [&x, &y], &ticks)?;
         front::draw_steps(sheet, &steps);
-        for (path, colour, width) in lines {
-            sheet.stroke(path, Pen::new(Role::Curve(colour), width));
+        for (path, pen) in lines {
+            sheet.stroke(path, pen);
         }
-        for (i, points) in points.iter().enumerate() {
+        for (i, bars) in bars.iter().enumerate() {
+            for &ends in bars {
+                curve::bar(sheet, ends, curve(i));
+            }
+        }
+        for (i, (points, series)) in points.iter().zip(&self.series).enumerate() {
             for &p in points {
                 mark(sheet, p, curve(i));
             }
-        }
-        front::name_points(sheet, &front, &steps);
-        for (i, (series, points)) in self.series.iter().zip(&points).enumerate() {
-            if let Some(&end) = points.last() {
-                let label = Label::new(end, series.name.as_str()).reach(DOT + 4.0);
-                sheet.label(label.ink(Role::Curve(curve(i))));
+            if let Some(&end) = points.last().filter(|_| !series.end.is_empty()) {
+                curve::stop(sheet, end, curve(i));
             }
         }
+        front::name_points(sheet, &front, &steps, layout.area);
+        layout.draw_names(sheet, &points);
         Ok(())
     }
 }
@@ -181,6 +237,7 @@ mod tests {
     use ombra_math::glam::DVec2;
 
     use super::*;
+    use crate::colour::Role;
     use crate::drawing::NORMAL;
     use crate::path::Path;
 
@@ -192,6 +249,7 @@ mod tests {
             y: Axis::new("error", "", scale),
             series: vec![Series::new("curve", points)],
             pareto: None,
+            settings: String::new(),
         }
     }
 
@@ -205,17 +263,17 @@ mod tests {
 
     #[test]
     fn every_decade_is_labelled_the_lowest_too() {
-        let drawing = chart(vec![(2.0, 1e-16), (900.0, 3e-13)], Scale::Log)
+        let drawing = chart(vec![(1.0, 2e-16), (900.0, 3e-12)], Scale::Log)
             .draw(&Style::default())
             .unwrap();
         let texts = texts(&drawing);
         for tick in [
-            "1", "10", "100", "1000", "10−16", "10−15", "10−14", "10−13", "10−12",
+            "1", "10", "100", "1000", "10−16", "10−15", "10−14", "10−13", "10−12", "10−11",
         ] {
             assert!(texts.contains(&tick), "{tick} in {texts:?}");
         }
         assert!(
-            texts.contains(&"cost / ns") && texts.contains(&"error") && texts.contains(&"curve")
+            texts.contains(&"cost (ns)") && texts.contains(&"error") && texts.contains(&"curve")
         );
     }
 
@@ -229,14 +287,16 @@ mod tests {
             assert_eq!(texts.contains(&"10−6"), first == "10−6", "{texts:?}");
             assert!(texts.contains(&first) && !texts.contains(&"0.1"));
         }
-        let mut single = chart(vec![(1.0, 1.0), (500.0, 9.0)], Scale::Log);
-        let starts_at_one = |chart: &Chart| {
+        // The tick at 1 moves away from the upright axis.
+        let mut single = chart(vec![(1.0, 3.0), (500.0, 9.0)], Scale::Log);
+        let one = |chart: &Chart| {
             let drawing = chart.draw(&Style::default()).unwrap();
-            !texts(&drawing).contains(&"0.1")
+            let tick = drawing.labels.iter().find(|label| label.text == "1");
+            tick.map(|label| label.bounds.centre().x).unwrap()
         };
-        assert!(starts_at_one(&single));
+        let at_the_side = one(&single);
         single.pareto = Some(vec![]);
-        assert!(!starts_at_one(&single));
+        assert!(one(&single) > at_the_side + 50.0);
     }
 
     #[test]
@@ -349,5 +409,49 @@ mod tests {
                 .draw(&Style::default())
                 .is_ok()
         );
+    }
+
+    #[test]
+    fn a_zero_lies_in_a_band_of_its_own_and_only_where_there_is_one() {
+        let mut zeros = chart(
+            vec![(1.0, 0.0), (10.0, 0.0), (100.0, 1e-3), (200.0, 2e-9)],
+            Scale::Log,
+        );
+        assert!(zeros.draw(&Style::default()).is_err());
+        zeros.y = zeros.y.with_zero();
+        // Another curve that is exact where the first is lies in a lane of its own.
+        zeros
+            .series
+            .push(Series::new("other", vec![(1.0, 0.0), (10.0, 0.0)]));
+        let drawing = zeros.draw(&Style::default()).unwrap();
+        assert!(texts(&drawing).contains(&"0"));
+        let height = |curve: u8, width: f64| -> Vec<f64> {
+            let of = |item: &crate::drawing::Item| match item {
+                crate::drawing::Item::Shape {
+                    path,
+                    stroke: Some(pen),
+                    ..
+                } if pen.paint == Role::Curve(curve).into()
+                    && pen.width == width
+                    && pen.dash.is_none() =>
+                {
+                    Some(path.points().map(|p| p.y).collect::<Vec<_>>())
+                }
+                _ => None,
+            };
+            drawing.items.iter().filter_map(of).flatten().collect()
+        };
+        let all = height(0, NORMAL);
+        let (above, first) = all.split_at(2);
+        let other = height(1, NORMAL);
+        assert!(above.iter().all(|y| *y < first[0]), "{above:?} {first:?}");
+        assert!(first[0] == first[1] && other[0] == other[1] && first[0] < other[0]);
+        // No error is 0: no band.
+        zeros.series[0].points.retain(|p| p.1 > 0.0);
+        zeros.series.truncate(1);
+        assert!(!texts(&zeros.draw(&Style::default()).unwrap()).contains(&"0"));
+        // All are.
+        zeros.series[0].points = vec![(1.0, 0.0), (5.0, 0.0)];
+        assert!(texts(&zeros.draw(&Style::default()).unwrap()).contains(&"0"));
     }
 }

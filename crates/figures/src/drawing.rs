@@ -1,8 +1,8 @@
-//! The display list that both SVG and PNG are written from.
+//! The display list that SVG, PNG and PDF are written from.
 //!
 //! Lengths are thousandths of the canvas's shorter side, so a figure holds at any size; the origin is the upper left
 //! corner, x points right, y down. Coordinates are rounded to hundredths when they enter the list ([`round`]), so that
-//! both writers see the same numbers and the bytes are the same on every machine.
+//! all writers see the same numbers and the bytes are the same on every machine.
 
 use ombra_math::glam::DVec2;
 
@@ -216,7 +216,7 @@ pub struct LabelBox {
     pub text: String,
 }
 
-/// A figure ready to be written: [`crate::svg::svg`], [`crate::png::png`].
+/// A figure ready to be written: [`crate::svg::svg`], [`crate::png::png`], [`crate::pdf::pdf`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
     /// The figure's id, `shadows/cube-infinity`.

@@ -23,12 +23,12 @@ pub enum FigureError {
         /// What it takes.
         allowed: String,
     },
-    /// No figure and no lecture has this name.
+    /// No figure and no lecture has this name, or this part of a name.
     UnknownFigure {
         /// What was given.
         pattern: String,
-        /// Every lecture and figure there is.
-        allowed: String,
+        /// The names that come nearest to it.
+        nearest: String,
     },
     /// An object could not be read from a file.
     Object {
@@ -85,9 +85,9 @@ impl fmt::Display for FigureError {
                 value,
                 allowed,
             } => write!(f, "the input {name} cannot be '{value}': it is {allowed}"),
-            Self::UnknownFigure { pattern, allowed } => write!(
+            Self::UnknownFigure { pattern, nearest } => write!(
                 f,
-                "there is no figure or lecture '{pattern}': there are {allowed}"
+                "there is no figure or lecture '{pattern}'; the nearest are {nearest}; 'ombra list' names all"
             ),
             Self::Object { file, reason } => write!(f, "--mesh {file}: {reason}"),
             Self::Scene { reason } => f.write_str(reason),

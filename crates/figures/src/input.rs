@@ -192,6 +192,8 @@ pub struct Inputs {
     given: BTreeMap<&'static str, Value>,
     /// How many steps are shown; 0 for the whole figure.
     pub step: u32,
+    /// Whether an object of one's own was moved to the place of the lecture's.
+    pub(crate) fitted: bool,
 }
 
 impl Inputs {
@@ -246,10 +248,18 @@ impl Inputs {
         self.given.is_empty()
     }
 
-    /// What differs from the defaults, as typed: `a=1,2 theta=30`, in the order of names.
-    pub fn typed(&self) -> String {
+    /// What differs from the defaults, names and what would be typed, in the order of names.
+    pub fn changed(&self) -> Vec<(&'static str, String)> {
         let given = self.given.iter();
-        let typed: Vec<String> = given
+        given
+            .map(|(name, value)| (*name, value.to_string()))
+            .collect()
+    }
+
+    /// The same in one line: `a=1,2 theta=30`.
+    pub fn typed(&self) -> String {
+        let changed = self.changed().into_iter();
+        let typed: Vec<String> = changed
             .map(|(name, value)| format!("{name}={value}"))
             .collect();
         typed.join(" ")

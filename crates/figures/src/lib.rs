@@ -1,7 +1,7 @@
 //! The drawing kit of the course and its figures.
 //!
 //! A figure is a function from a [`style::Style`] and an instructor's own [`input::Inputs`] to a [`drawing::Drawing`]:
-//! one display list that SVG and PNG are both written from, so that they agree. The bytes are the same on every run and
+//! one display list that SVG, PNG and PDF are written from, so that they agree. The bytes are the same on every run and
 //! machine.
 //!
 //! ```
@@ -46,14 +46,14 @@
 //! | [`marks`] | sun, parallel arrows, eye, points, arrows, rays, normals |
 //! | [`space`], [`solid`], [`patch`] | the house perspective, axes; solids in it; the receiving plane |
 //! | [`section`] | the plane of a section: x to the right, y up |
-//! | [`panels`], [`table`] | steps from left to right, short lists in columns |
+//! | [`panels`], [`table`], [`matrix`] | steps side by side, short lists in columns, matrices |
 //! | [`pixels`] | pixels as cells with their centres |
 //! | [`number`] | exact fractions |
 //! | [`text`], [`font`] | markup, layout, the embedded typeface |
 //! | [`place`] | where labels go |
 //! | [`colour`], [`path`], [`drawing`] | roles, outlines, the display list |
 //! | [`contour`] | the contour of many triangles |
-//! | [`svg`], [`png`] | writing |
+//! | [`svg`], [`png`], [`pdf`] | writing |
 //! | [`words`] | what a word is, and those that several figures share |
 //!
 //! The figures themselves are free to use in slides: CC0 1.0, as each SVG says. The typeface is DejaVu Sans, under its
@@ -75,11 +75,13 @@ mod hsr;
 pub mod input;
 pub mod marks;
 mod math;
+pub mod matrix;
 pub mod number;
 pub mod object;
 pub mod panels;
 pub mod patch;
 pub mod path;
+pub mod pdf;
 pub mod pixels;
 pub mod place;
 pub mod png;

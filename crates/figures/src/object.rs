@@ -41,7 +41,8 @@ pub const SOLIDS: &str = "cube, teapot, sphere, torus";
 impl FromStr for NamedMesh {
     type Err = FigureError;
 
-    /// A built-in solid by name, in the place of the lectures' cube, or the file of that path.
+    /// A built-in solid by name, in small or capital letters, in the place of the lectures' cube; or the file of that
+    /// path.
     fn from_str(name: &str) -> Result<Self, FigureError> {
         let built_in = |solid: Result<Mesh, solids::SolidError>| {
             let mesh = solid.map_err(|error| FigureError::Object {
@@ -50,6 +51,9 @@ impl FromStr for NamedMesh {
             })?;
             Ok(in_place_of_the_cube(mesh))
         };
+        let small = name.to_ascii_lowercase();
+        let solid = SOLIDS.split(", ").find(|&solid| solid == small);
+        let name = solid.unwrap_or(name);
         let mesh = match name {
             "cube" => solids::slide_cube(),
             "teapot" => built_in(solids::teapot(12))?,

@@ -147,6 +147,27 @@ impl Patch {
         self.draw_in(sheet, view, Role::Ground.into());
     }
 
+    /// Draws it as the front of a wall: the sides of the wall that the eye sees, then the patch.
+    pub fn draw_wall(&self, sheet: &mut Sheet, view: &View) {
+        let corners = self.corners();
+        let n = self.u.cross(self.v).normalize_or_zero();
+        let front = n.dot(view.eye() - self.origin) >= 0.0;
+        let back = if front { -n } else { n } * (0.3 * self.step);
+        let middle = corners.iter().sum::<DVec3>() / 4.0;
+        for (&a, &b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            let out = a.midpoint(b) - middle;
+            if out.dot(view.eye() - a.midpoint(b)) <= 0.0 {
+                continue;
+            }
+            if let Some(side) = view.contour(&[a, b, b + back, a + back]) {
+                let ink = Ink::of(Role::Receiver);
+                let path = Path::polygon(&side);
+                sheet.fill_unmarked(path, ink.tint(0.45), Pen::new(ink.tint(0.7), THIN));
+            }
+        }
+        self.draw(sheet, view);
+    }
+
     /// Draws it see-through, for one that stands before other things.
     pub fn draw_glass(&self, sheet: &mut Sheet, view: &View) {
         self.draw_in(sheet, view, Ink::of(Role::Ground).alpha(0.65));

@@ -2,9 +2,11 @@
 
 mod any_plane;
 mod cube;
+mod cut;
 mod fake;
 mod false_shadow;
 mod light;
+mod matrix;
 mod setting;
 mod shadow;
 mod similar_triangles;
@@ -19,6 +21,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     similar_triangles::FIGURE,
     cube::INFINITY,
     cube::POINT,
+    matrix::FIGURE,
     any_plane::FIGURE,
     false_shadow::FIGURE,
     fake::FIGURE,

@@ -342,6 +342,22 @@ impl Sheet {
         bounds
     }
 
+    /// A line in the middle of the upper border; the frame then begins below it.
+    ///
+    /// # Errors
+    ///
+    /// Those of its markup.
+    pub fn heading(&mut self, markup: &str) -> Result<(), FigureError> {
+        let line = self.lay_out(markup, LABEL)?;
+        let start = DVec2::new(
+            self.frame.centre().x - 0.5 * line.width,
+            self.frame.min.y + line.ascent,
+        );
+        self.frame.min.y += line.ascent + line.descent + 0.6 * LABEL;
+        self.set_at(line, start, Role::Text.into());
+        Ok(())
+    }
+
     /// Places the labels and hands over the drawing; what finds no place is in its [`Drawing::over`].
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 mod edges;
 mod painted;
 mod pixels;
+pub mod sight;
 
 use ombra_math::glam::{DVec2, DVec3};
 use ombra_math::mesh::{Edge, Mesh};

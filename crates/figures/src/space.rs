@@ -7,10 +7,11 @@
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 
 use crate::colour::Role;
-use crate::drawing::NORMAL;
+use crate::drawing::{NORMAL, Pen};
 use crate::error::FigureError;
 use crate::path::Rect;
 use crate::sheet::{Label, Sheet};
+use crate::solid::sight::Sight;
 
 /// From the scene towards the eye; its length does not matter.
 const TOWARDS_EYE: DVec3 = DVec3::new(-0.50, 0.46, 0.80);
@@ -18,6 +19,13 @@ const TOWARDS_EYE: DVec3 = DVec3::new(-0.50, 0.46, 0.80);
 const DISTANCE: f64 = 4.5;
 /// The same where perspective is not to show: sizes differ by a millionth at most.
 const AFAR: f64 = 1e6;
+
+/// Towards an eye turned `around` the y axis from +z to +x and raised `above` the ground, in degrees.
+pub fn towards_eye(around: f64, above: f64) -> DVec3 {
+    let (s, c) = libm::sincos(around.to_radians());
+    let (up, level) = libm::sincos(above.to_radians());
+    DVec3::new(s * level, up, c * level)
+}
 
 /// The house perspective, fitted to what a figure shows.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +46,16 @@ impl View {
     ///
     /// [`FigureError::Scene`] when `shown` is empty, a single point, or too large to compute with.
     pub fn fit(shown: &[DVec3], frame: Rect) -> Result<View, FigureError> {
-        View::fit_from(shown, frame, DISTANCE)
+        View::fit_from(shown, frame, TOWARDS_EYE, DISTANCE)
+    }
+
+    /// The same for an eye in another direction.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`View::fit`].
+    pub fn fit_towards(shown: &[DVec3], frame: Rect, eye: DVec3) -> Result<View, FigureError> {
+        View::fit_from(shown, frame, eye, DISTANCE)
     }
 
     /// The same from so far away that nothing shrinks with its distance.
@@ -47,7 +64,7 @@ impl View {
     ///
     /// Those of [`View::fit`].
     pub fn fit_from_afar(shown: &[DVec3], frame: Rect) -> Result<View, FigureError> {
-        View::fit_from(shown, frame, AFAR)
+        View::fit_from(shown, frame, TOWARDS_EYE, AFAR)
     }
 
     /// From the scene towards the eye, of length 1.
@@ -55,7 +72,12 @@ impl View {
         TOWARDS_EYE.normalize()
     }
 
-    fn fit_from(shown: &[DVec3], frame: Rect, distance: f64) -> Result<View, FigureError> {
+    fn fit_from(
+        shown: &[DVec3],
+        frame: Rect,
+        towards_eye: DVec3,
+        distance: f64,
+    ) -> Result<View, FigureError> {
         let wrong = || {
             FigureError::Scene {
             reason: "nothing to show: the points of the figure are too few, too far or too close together".to_owned(),
@@ -67,8 +89,8 @@ impl View {
             .fold((first, first), |(min, max), &p| (min.min(p), max.max(p)));
         let centre = min * 0.5 + max * 0.5;
         let radius = shown.iter().map(|p| p.distance(centre)).fold(0.0, f64::max);
-        let forward = -TOWARDS_EYE.normalize();
-        let right = forward.cross(DVec3::Y).normalize();
+        let forward = -towards_eye.normalize_or(DVec3::Z);
+        let right = forward.cross(DVec3::Y).normalize_or(DVec3::X);
         let mut view = View {
             eye: centre - forward * (radius * distance),
             right,
@@ -149,16 +171,23 @@ impl View {
     }
 }
 
-/// Three short labelled arrows at the origin, `length` long in space.
-pub fn axes(sheet: &mut Sheet, view: &View, length: f64) {
-    let Some(origin) = view.project(DVec3::ZERO) else {
-        return;
-    };
+/// Three short labelled arrows at the origin, `length` long in space, as far as nothing hides them.
+pub fn axes(sheet: &mut Sheet, view: &View, sight: &Sight, length: f64) {
     for (axis, name) in [(DVec3::X, "*x*"), (DVec3::Y, "*y*"), (DVec3::Z, "*z*")] {
-        if let Some(tip) = view.project(axis * length) {
-            crate::marks::arrow(sheet, origin, tip, Role::Axis, NORMAL);
-            let label = Label::new(tip, name).towards(tip - origin).ink(Role::Axis);
-            sheet.label(label.beside());
+        let end = axis * length;
+        let pieces = sight.visible(DVec3::ZERO, end);
+        for &(a, b) in &pieces {
+            let (Some(from), Some(to)) = (view.project(a), view.project(b)) else {
+                continue;
+            };
+            if b == end {
+                crate::marks::arrow(sheet, from, to, Role::Axis, NORMAL);
+                let label = Label::new(to, name).towards(to - from).ink(Role::Axis);
+                // Two are enough to tell the third.
+                sheet.label(label.beside().optional());
+            } else {
+                sheet.line(from, to, Pen::new(Role::Axis, NORMAL));
+            }
         }
     }
 }

@@ -19,6 +19,8 @@ impl Size {
     pub const SIDES: RangeInclusive<u32> = 64..=16_384;
     /// Pixels in all (8192 × 8192): 256 MiB of colour.
     pub const MOST_PIXELS: u64 = 1 << 26;
+    /// Shorter side of a size that is given as an aspect.
+    pub const SHORTER: u32 = 1080;
     /// Full HD, 16:9.
     pub const FULL_HD: Size = Size {
         width: 1920,
@@ -29,7 +31,7 @@ impl Size {
     ///
     /// # Errors
     ///
-    /// [`FigureError::Value`] outside [`Size::SIDES`], above [`Size::MOST_PIXELS`], or when a side is more than 4 times
+    /// [`FigureError::Value`] outside [`Size::SIDES`], above [`Size::MOST_PIXELS`], or when a side is more than 2 times
     /// the other.
     pub fn new(width: u32, height: u32) -> Result<Size, FigureError> {
         let pixels = u64::from(width) * u64::from(height);
@@ -37,7 +39,7 @@ impl Size {
         if Self::SIDES.contains(&width)
             && Self::SIDES.contains(&height)
             && pixels <= Self::MOST_PIXELS
-            && long <= 4 * short
+            && u64::from(long) <= 2 * u64::from(short)
         {
             Ok(Size { width, height })
         } else {
@@ -53,8 +55,9 @@ impl Size {
             value,
             allowed: format!(
                 "WIDTHxHEIGHT in pixels, each side from {least} to {most}, at most {} pixels in all, and no side more \
-                 than 4 times the other",
-                Self::MOST_PIXELS
+                 than 2 times the other; or an aspect as 16:9, whose shorter side is then {}",
+                Self::MOST_PIXELS,
+                Self::SHORTER
             ),
         }
     }
@@ -84,17 +87,38 @@ impl fmt::Display for Size {
 impl FromStr for Size {
     type Err = FigureError;
 
+    /// `1920x1080`; or an aspect, `16:9`, whose shorter side is then [`Size::SHORTER`] and whose longer one is rounded
+    /// to the nearest pixel.
     fn from_str(text: &str) -> Result<Self, FigureError> {
         let wrong = || Size::refused(text.to_owned());
-        let (width, height) = text.split_once(['x', '×']).ok_or_else(wrong)?;
-        let side = |digits: &str| {
+        let number = |digits: &str| -> Result<u32, FigureError> {
             let plain = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
             plain
                 .then(|| digits.parse().ok())
                 .flatten()
                 .ok_or_else(wrong)
         };
-        Size::new(side(width)?, side(height)?).map_err(|_| wrong())
+        let (width, height) = if let Some((width, height)) = text.split_once(':') {
+            let (width, height) = (number(width)?, number(height)?);
+            let (short, long) = (width.min(height), width.max(height));
+            let longer = (u64::from(long) * u64::from(Size::SHORTER) + u64::from(short) / 2)
+                .checked_div(u64::from(short))
+                .and_then(|longer| u32::try_from(longer).ok())
+                .ok_or_else(wrong)?;
+            // An aspect is refused before it is rounded.
+            if u64::from(long) > 2 * u64::from(short) {
+                return Err(wrong());
+            }
+            if width < height {
+                (Size::SHORTER, longer)
+            } else {
+                (longer, Size::SHORTER)
+            }
+        } else {
+            let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
+            (number(width)?, number(height)?)
+        };
+        Size::new(width, height).map_err(|_| wrong())
     }
 }
 
@@ -122,8 +146,9 @@ macro_rules! choice {
         impl FromStr for $name {
             type Err = FigureError;
 
+            /// In small or capital letters.
             fn from_str(text: &str) -> Result<Self, FigureError> {
-                Self::ALL.iter().copied().find(|value| value.word() == text).ok_or_else(|| {
+                Self::ALL.iter().copied().find(|value| value.word().eq_ignore_ascii_case(text)).ok_or_else(|| {
                     FigureError::Value {
                         option: $option,
                         value: text.to_owned(),
@@ -239,6 +264,20 @@ impl TextScale {
     }
 }
 
+impl TextScale {
+    /// In hundredths of the usual size.
+    pub fn hundredths(self) -> u16 {
+        self.0
+    }
+
+    /// From 100 to 200 hundredths of the usual size; none for others.
+    pub fn of_hundredths(hundredths: u16) -> Option<TextScale> {
+        (100..=200)
+            .contains(&hundredths)
+            .then_some(TextScale(hundredths))
+    }
+}
+
 impl FromStr for TextScale {
     type Err = FigureError;
 
@@ -269,6 +308,8 @@ choice! {
     Svg = "svg",
     /// Pixels.
     Png = "png",
+    /// Scalable, for print and for slides made with LaTeX.
+    Pdf = "pdf",
 }
 
 /// How an SVG holds its letters.
@@ -335,9 +376,38 @@ mod tests {
     fn sizes() {
         assert_eq!("1920x1080".parse(), Ok(Size::FULL_HD));
         assert_eq!("640×480".parse(), Size::new(640, 480));
+        assert_eq!("640X480".parse(), Size::new(640, 480));
+        assert_eq!("64x128".parse(), Size::new(64, 128));
+        for (aspect, width, height) in [
+            ("16:9", 1920, 1080),
+            ("16:10", 1728, 1080),
+            ("4:3", 1440, 1080),
+            ("3:2", 1620, 1080),
+            ("1:1", 1080, 1080),
+            ("3:4", 1080, 1440),
+            ("9:16", 1080, 1920),
+            ("2:1", 2160, 1080),
+            ("1:2", 1080, 2160),
+            ("7:6", 1260, 1080),
+            ("9:7", 1389, 1080),
+            ("4294967295:4294967294", 1080, 1080),
+        ] {
+            assert_eq!(aspect.parse(), Size::new(width, height), "{aspect}");
+        }
         for wrong in [
             "",
             "x",
+            ":",
+            "0:0",
+            "0:1",
+            "1:0",
+            "16:",
+            "16:9:1",
+            "16.0:9",
+            "-16:9",
+            "21:9",
+            "20001:10000",
+            "99999999999:1",
             "1920",
             "1920x",
             "+64x64",
@@ -345,7 +415,8 @@ mod tests {
             "63x64",
             "64x16385",
             "16384x16384",
-            "64x257",
+            "64x129",
+            "2000x999",
             "1e3x1e3",
             "99999999999x64",
             "1920 x1080",
@@ -372,9 +443,12 @@ mod tests {
             "--theme cannot be 'pink': it is one of light, dark"
         );
         assert_eq!(
-            "EN".parse::<Language>().unwrap_err().to_string(),
-            "--lang cannot be 'EN': it is one of en, it, cs, hr"
+            "english".parse::<Language>().unwrap_err().to_string(),
+            "--lang cannot be 'english': it is one of en, it, cs, hr"
         );
+        assert_eq!("EN".parse(), Ok(Language::En));
+        assert_eq!("Dark".parse(), Ok(Theme::Dark));
+        assert_eq!("SVG".parse(), Ok(Format::Svg));
         assert!("jpg".parse::<Format>().is_err());
         assert!("white".parse::<Background>().is_err());
     }

@@ -50,7 +50,7 @@ fn written(drawing: &Drawing, attributes: &str, corner: f64) -> Result<String, F
     };
     let title = escaped(&drawing.title);
     writer.line(&format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" role=\"img\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" role=\"img\" \
          aria-label=\"{title}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"{attributes}>",
         size.width(),
         size.height(),
@@ -171,10 +171,14 @@ impl Writer<'_> {
             }
             Item::Picture { place, picture } => {
                 let (at, size) = (place.min, round(place.size()));
-                let file = base64(&png::file(picture).unwrap_or_default());
+                // Programs of before SVG 2 know the second form of a reference alone.
+                let file = format!(
+                    "data:image/png;base64,{}",
+                    base64(&png::file(picture).unwrap_or_default())
+                );
                 self.line(&format!(
                     "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
-                     href=\"data:image/png;base64,{file}\"/>",
+                     href=\"{file}\" xlink:href=\"{file}\"/>",
                     at.x, at.y, size.x, size.y
                 ));
             }
@@ -191,10 +195,17 @@ impl Writer<'_> {
                     2.0 * HALO
                 );
                 match self.drawing.style.text {
-                    TextForm::Text if *halo => {
-                        self.letters(line, *at, &format!("{fill}{rim} paint-order=\"stroke\""));
+                    TextForm::Text => {
+                        if *halo {
+                            // Not every program knows paint-order: the rim is a text of its own, which nobody reads out.
+                            self.letters(
+                                line,
+                                *at,
+                                &format!(" fill=\"none\"{rim} aria-hidden=\"true\""),
+                            );
+                        }
+                        self.letters(line, *at, &fill);
                     }
-                    TextForm::Text => self.letters(line, *at, &fill),
                     TextForm::Paths => {
                         let outline = data(&line.outline(*at)?);
                         let label = escaped(&line.plain);
@@ -204,7 +215,10 @@ impl Writer<'_> {
                             let id = format!("{}-label-{}", self.prefix, self.halos);
                             self.line(&format!("<g role=\"img\" aria-label=\"{label}\">"));
                             self.line(&format!("<defs><path id=\"{id}\" d=\"{outline}\"/></defs>"));
-                            self.line(&format!("<use href=\"#{id}\" fill=\"none\"{rim}/><use href=\"#{id}\"{fill}/>"));
+                            let reference = format!("<use href=\"#{id}\" xlink:href=\"#{id}\"");
+                            self.line(&format!(
+                                "{reference} fill=\"none\"{rim}/>{reference}{fill}/>"
+                            ));
                             self.line("</g>");
                         } else {
                             self.line(&format!(

@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use crate::error::FigureError;
 use crate::figure::Figure;
-use crate::gallery::gallery;
+use crate::gallery::{self, gallery};
 use crate::input::Inputs;
-use crate::style::{Format, Style};
+use crate::style::{Format, Language, Style};
 use crate::whole::{self, Refused};
-use crate::{png, svg};
+use crate::{pdf, png, svg};
 
 /// Writes `bytes` to `path`; folders on the way are made.
 ///
@@ -41,8 +41,8 @@ pub struct Written {
     pub over: Vec<String>,
 }
 
-/// Draws `figure` and writes it below `folder` in every format: `shadows/cube-infinity.svg`, and
-/// `shadows/cube-infinity-step-2.svg` for a step of it.
+/// Draws `figure` and writes it below `folder` in every format, under the name of [`gallery::file_stem`]:
+/// `shadows/cube-infinity.svg`, `shadows/cube-infinity.step-2.svg` for a step of it. The SVG's metadata say the command that makes it.
 ///
 /// # Errors
 ///
@@ -55,18 +55,16 @@ pub fn figure(
     formats: &[Format],
 ) -> Result<Written, FigureError> {
     let drawing = figure.draw(style, inputs)?;
+    let stem = gallery::file_stem(figure, style, gallery::variant(inputs).as_deref());
+    let command = gallery::command(figure, style, inputs);
     let mut files = Vec::with_capacity(formats.len());
     for &format in formats {
         let bytes = match format {
-            Format::Svg => svg::svg(&drawing)?.into_bytes(),
+            Format::Svg => gallery::with_command(&svg::svg(&drawing)?, &command).into_bytes(),
             Format::Png => png::png(&drawing)?,
+            Format::Pdf => pdf::pdf(&drawing)?,
         };
-        let step = match inputs.step {
-            0 => String::new(),
-            step => format!("-step-{step}"),
-        };
-        let name = format!("{}{step}.{format}", figure.id);
-        files.push((folder.join(name), bytes));
+        files.push((folder.join(format!("{stem}.{format}")), bytes));
     }
     let pairs: Vec<(&Path, &[u8])> = files
         .iter()
@@ -79,20 +77,18 @@ pub fn figure(
     })
 }
 
-/// Writes `index.html` into `folder` for the figures written there.
+/// Writes `index.html` into `folder` for all figures that lie there, its headings in `language`; what killed runs left
+/// there is removed.
 ///
 /// # Errors
 ///
 /// [`FigureError::Write`].
-pub fn index(
-    folder: &Path,
-    figures: &[&Figure],
-    style: &Style,
-    inputs: &Inputs,
-    formats: &[Format],
-) -> Result<PathBuf, FigureError> {
+pub fn index(folder: &Path, language: Language) -> Result<PathBuf, FigureError> {
+    for lecture in gallery::lectures() {
+        whole::sweep(&folder.join(lecture));
+    }
     let path = folder.join("index.html");
-    whole(&path, gallery(figures, style, inputs, formats).as_bytes())?;
+    whole(&path, gallery(&gallery::shown(folder), language).as_bytes())?;
     Ok(path)
 }
 
@@ -152,7 +148,7 @@ mod tests {
         assert_eq!(fs::read(&a).unwrap(), b"one");
         assert_eq!(names(&folder.0), ["a.svg", "b.png"]);
 
-        // The same for both formats of a figure.
+        // The same for the formats of a figure.
         let figure = crate::course::figures().first().unwrap();
         let style = Style::default();
         let png = folder.0.join(format!("{}.png", figure.id));
@@ -162,8 +158,8 @@ mod tests {
         assert!(draw().is_err());
         assert_eq!(names(png.parent().unwrap()).len(), 1);
         fs::remove_dir(&png).unwrap();
-        assert_eq!(draw().unwrap().files.len(), 2);
-        assert_eq!(names(png.parent().unwrap()).len(), 2);
+        assert_eq!(draw().unwrap().files.len(), 3);
+        assert_eq!(names(png.parent().unwrap()).len(), 3);
     }
 
     #[test]

@@ -6,31 +6,30 @@ use std::str::FromStr;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
-use ombra_figures::course::{names, select};
+use ombra_figures::course::select;
 use ombra_figures::docs::write_docs;
 use ombra_figures::error::FigureError;
 use ombra_figures::figure::Figure;
 use ombra_figures::input::{Inputs, Settings};
 use ombra_figures::style::{Background, Format, Language, Size, Style, TextForm, TextScale, Theme};
-use ombra_figures::write;
+use ombra_figures::{gallery, write};
 
 /// What `ombra figures` takes.
 #[derive(Args)]
 pub struct Options {
-    /// Figures or lectures: `shadows/cube-point`, `shadows`; all if none is named
-    #[arg(value_parser = PossibleValuesParser::new(names()), hide_possible_values = true)]
+    /// Figures, lectures or parts of names: `shadows/cube-point`, `shadows`, `bresenham`; all if none is named
     select: Vec<String>,
     /// Formats, separated by commas
-    #[arg(long, default_value = "svg,png", value_delimiter = ',', value_parser = one_of(Format::ALL, Format::word))]
+    #[arg(long, default_value = "svg,png", value_delimiter = ',', ignore_case = true, value_parser = one_of(Format::ALL, Format::word))]
     format: Vec<Format>,
-    /// Size in pixels
+    /// Size in pixels, or an aspect: 16:9, 4:3, 1:1
     #[arg(long, default_value_t = Size::FULL_HD, value_name = "WIDTHxHEIGHT", value_parser = size)]
     size: Size,
     /// Light or dark [default: light, on a dark background dark]
-    #[arg(long, value_parser = one_of(Theme::ALL, Theme::word))]
+    #[arg(long, ignore_case = true, value_parser = one_of(Theme::ALL, Theme::word))]
     theme: Option<Theme>,
     /// Language of the labels
-    #[arg(long, default_value_t = Language::En, value_parser = one_of(Language::ALL, Language::word))]
+    #[arg(long, default_value_t = Language::En, ignore_case = true, value_parser = one_of(Language::ALL, Language::word))]
     lang: Language,
     /// theme, transparent, or a colour #RRGGBB
     #[arg(long, default_value_t = Background::Theme, value_parser = background)]
@@ -216,21 +215,14 @@ fn draw(options: &Options) -> Result<(), String> {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let written: Vec<&Figure> = chosen
-        .iter()
-        .copied()
-        .filter(|figure| drawn.contains(&figure.id))
-        .collect();
-    if !written.is_empty() {
-        let inputs = Inputs::default();
-        let index =
-            write::index(&options.out, &written, &style, &inputs, &formats).map_err(said)?;
+    if !drawn.is_empty() {
+        let index = write::index(&options.out, options.lang).map_err(said)?;
         crate::print(format_args!(
-            "{}, {}, in {}; gallery: {}",
-            counted(written.len(), "figure"),
+            "{}, {}, in {}; gallery:\n{}",
+            counted(drawn.len(), "figure"),
             counted(files, "file"),
             options.out.display(),
-            index.display()
+            gallery::address(&index)
         ));
     }
     if refused.is_empty() {

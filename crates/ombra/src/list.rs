@@ -15,7 +15,7 @@ pub struct Options {
     /// Figures or lectures, each shown with its inputs; without any, a line for every figure and study
     select: Vec<String>,
     /// Language of the lines
-    #[arg(long, default_value_t = Language::En, value_parser = one_of(Language::ALL, Language::word))]
+    #[arg(long, default_value_t = Language::En, ignore_case = true, value_parser = one_of(Language::ALL, Language::word))]
     lang: Language,
 }
 

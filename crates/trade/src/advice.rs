@@ -1,6 +1,85 @@
-//! Sentences from numbers: which technique to take where.
+//! Advice from numbers: which technique to take where, at which setting, and what it costs and loses.
+
+use core::fmt;
 
 use crate::report::{Measured, Row};
+
+/// What a study says to somebody who has to choose.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Advice {
+    /// Whose time is 1.
+    pub baseline: &'static str,
+    /// From the most usual need on.
+    pub rows: Vec<Choice>,
+}
+
+/// What to take for one need.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// What is needed: `no pixel wrong`.
+    pub need: String,
+    /// The technique to take.
+    pub method: String,
+    /// Where, or with its knob at what.
+    pub setting: String,
+    /// Its time over the baseline's.
+    pub cost: String,
+    /// What is lost.
+    pub loss: String,
+}
+
+impl Choice {
+    /// Its cells, in the order of the table.
+    #[must_use]
+    pub fn cells(&self) -> [&str; 5] {
+        [
+            &self.need,
+            &self.method,
+            &self.setting,
+            &self.cost,
+            &self.loss,
+        ]
+    }
+}
+
+/// A table in Markdown, its columns of one width, so that it reads as it stands too; nothing of no advice.
+impl fmt::Display for Advice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.rows.is_empty() {
+            return Ok(());
+        }
+        let cost = format!("time ({} = 1)", self.baseline);
+        let head = ["need", "method", "setting", &cost, "loss"];
+        let width = |column: usize| {
+            let cells = self.rows.iter().map(Choice::cells).chain([head]);
+            let letters = cells.filter_map(|row| Some(row.get(column)?.chars().count()));
+            letters.max().unwrap_or(0)
+        };
+        let widths: Vec<usize> = (0..head.len()).map(width).collect();
+        let line = |f: &mut fmt::Formatter<'_>, row: [&str; 5]| {
+            for (cell, width) in row.iter().zip(&widths) {
+                write!(f, "| {cell:<width$} ")?;
+            }
+            writeln!(f, "|")
+        };
+        line(f, head)?;
+        for width in &widths {
+            write!(f, "| {} ", "-".repeat(*width))?;
+        }
+        writeln!(f, "|")?;
+        self.rows.iter().try_for_each(|row| line(f, row.cells()))
+    }
+}
+
+/// What is lost by errors up to `most`, as `words` say it; nothing where there are none.
+#[must_use]
+pub fn lost(most: f64, words: impl FnOnce(f64) -> String) -> String {
+    if most == 0.0 {
+        "nothing".to_owned()
+    } else {
+        words(most)
+    }
+}
 
 /// A range of a sweep over which one technique is the one to take.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,6 +225,28 @@ pub fn power_of_ten(x: f64) -> String {
         ("1.0", _) => format!("10{power}"),
         (digits, "0") => digits.trim_end_matches(".0").to_owned(),
         (digits, _) => format!("{}·10{power}", digits.trim_end_matches(".0")),
+    }
+}
+
+/// A number with two digits: `0.042`, `7.6`, `3400`; by its power of ten where it is small or large, `4.2·10⁻⁴`.
+#[must_use]
+pub fn digits(x: f64) -> String {
+    let power = power_of_ten(x);
+    if !(1e-3..1e4).contains(&x.abs()) {
+        return power;
+    }
+    // Rounded to the two digits once, by the same text.
+    let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(x);
+    rounded.to_string()
+}
+
+/// A setting: whole numbers below 10⁴ as they are, others with two digits.
+#[must_use]
+pub fn number(setting: f64) -> String {
+    if setting.fract() == 0.0 && setting.abs() < 1e4 {
+        setting.to_string()
+    } else {
+        digits(setting)
     }
 }
 

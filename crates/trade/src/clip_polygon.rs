@@ -45,7 +45,7 @@ use crate::case;
 use crate::clip_polygon::advice::advice;
 use crate::clip_polygon::polygons::WindowAndPolygons;
 use crate::deviation::Measure;
-use crate::study::{Effort, Question, Study, Sweep};
+use crate::study::{Effort, Question, Shown, Study, Sweep, What};
 
 /// The study.
 pub const STUDY: Study = Study {
@@ -54,6 +54,21 @@ pub const STUDY: Study = Study {
     unit: "vertex",
     errors: &[Measure::Largest("relative error of the area")],
     charted_work: &[],
+    charts: &[
+        Shown {
+            sweep: "far-star",
+            what: What::Error(0),
+        },
+        Shown {
+            sweep: "star",
+            what: What::Time,
+        },
+        Shown {
+            sweep: "far-star",
+            what: What::Cost(6),
+        },
+    ],
+    ends: &[],
     sweeps,
     advice,
 };
@@ -76,7 +91,6 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
             name,
             knob: "vertices",
             questions: questions.into(),
-            charted: 3,
         }
     };
     let far = (0..=12).map(|k| {
@@ -93,7 +107,6 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
         name: "far-star",
         knob: "distance of the vertices / window size",
         questions: far.collect(),
-        charted: 6,
     };
     vec![
         sweep("star", WindowAndPolygons::stars),

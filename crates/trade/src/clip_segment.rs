@@ -40,7 +40,7 @@ use crate::case;
 use crate::clip_segment::advice::advice;
 use crate::clip_segment::segments::{Clipped, WindowAndSegments};
 use crate::deviation::Measure;
-use crate::study::{Effort, Question, Study, Sweep};
+use crate::study::{Effort, Question, Shown, Study, Sweep, What};
 
 /// The study.
 pub const STUDY: Study = Study {
@@ -51,6 +51,21 @@ pub const STUDY: Study = Study {
         "distance from the exact ends / window size",
     )],
     charted_work: &[],
+    charts: &[
+        Shown {
+            sweep: "far-ends",
+            what: What::Error(0),
+        },
+        Shown {
+            sweep: "outside",
+            what: What::Time,
+        },
+        Shown {
+            sweep: "far-ends",
+            what: What::Cost(6),
+        },
+    ],
+    ends: &[],
     sweeps,
     advice,
 };
@@ -83,13 +98,11 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
             name: "outside",
             knob: "share of segments outside",
             questions: outside.into(),
-            charted: 5,
         },
         Sweep {
             name: "far-ends",
             knob: "distance of the ends / window size",
             questions: far_ends.collect(),
-            charted: 6,
         },
     ]
 }

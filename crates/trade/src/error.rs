@@ -24,6 +24,13 @@ pub enum TradeError {
         /// Its knob's setting.
         setting: f64,
     },
+    /// Stored results cannot be read.
+    Table {
+        /// The file, or the study's id where there is none.
+        file: String,
+        /// What is wrong with it and what is allowed.
+        reason: String,
+    },
     /// A chart could not be drawn, or a file not be written.
     Figure(FigureError),
 }
@@ -42,6 +49,7 @@ impl fmt::Display for TradeError {
                 f,
                 "{study}: '{technique}' at {setting:e} answers differently when its work is counted; both runs must agree"
             ),
+            Self::Table { file, reason } => write!(f, "{file}: {reason}"),
             Self::Figure(error) => error.fmt(f),
         }
     }

@@ -2,8 +2,9 @@
 //!
 //! A [study](study::Study) puts [questions](study::Question) to techniques. A run takes each case's time in interleaved
 //! rounds, counts its work exactly, and compares its answers with a ground truth that owes nothing to it
-//! and rounds nothing ([`ombra_oracle`]; [`run::run`]); the [report](report::Report) is a table, charts with the Pareto front, and a sentence of advice
-//! made from the numbers.
+//! and rounds nothing ([`ombra_oracle`]; [`run::run`]); the [report](report::Report) is a table, charts with the Pareto front, and advice
+//! made from the numbers: what to take for which need, at which setting, at what cost, and what is lost.
+//! Charts and advice are drawn anew from the [table](report::Report::read) without a run.
 //!
 //! | module | what it is |
 //! | --- | --- |
@@ -30,10 +31,11 @@
 //! ```
 //! use std::rc::Rc;
 //! use ombra_math::work::{Count, Counter};
+//! use ombra_trade::advice::Advice;
 //! use ombra_trade::case;
 //! use ombra_trade::deviation::{Deviation, Measure};
 //! use ombra_trade::run::run;
-//! use ombra_trade::study::{Effort, Question, Study, Sweep};
+//! use ombra_trade::study::{Effort, Question, Shown, Study, Sweep, What};
 //!
 //! // A technique: the sum of n tenths, by additions of doubles or by one product.
 //! fn added(n: u32, work: &mut impl Count) -> f64 {
@@ -57,6 +59,8 @@
 //!     unit: "sum",
 //!     errors: &[Measure::Largest("error of the sum")],
 //!     charted_work: &[],
+//!     charts: &[Shown { sweep: "count", what: What::Error(0) }],
+//!     ends: &[],
 //!     sweeps: |_effort| {
 //!         let question = |n: u32| {
 //!             let (inputs, knob) = (Rc::new(n), f64::from(n));
@@ -72,9 +76,9 @@
 //!             }
 //!         };
 //!         let questions = [10, 100, 1000].map(question).into();
-//!         vec![Sweep { name: "count", knob: "number of tenths", questions, charted: 1 }]
+//!         vec![Sweep { name: "count", knob: "number of tenths", questions }]
 //!     },
-//!     advice: |_| "Multiply.".to_owned(),
+//!     advice: |_| Advice::default(),
 //! };
 //! let report = run(&study, Effort::Quick, &mut |_progress| ())?;
 //! let rows = &report.sweeps[0].questions[0].rows;

@@ -35,7 +35,7 @@ use crate::case;
 use crate::deviation::Measure;
 use crate::line_precision::advice::advice;
 use crate::line_precision::segments::Segments;
-use crate::study::{Effort, Question, Study, Sweep};
+use crate::study::{Effort, Question, Shown, Study, Sweep, What};
 
 /// The study.
 pub const STUDY: Study = Study {
@@ -43,10 +43,21 @@ pub const STUDY: Study = Study {
     summary: "The pixels of a segment: analytic, DDA, Bresenham",
     unit: "pixel",
     errors: &[
-        Measure::Largest("distance from the right pixel, in pixels"),
+        Measure::Largest("distance from the right pixel (pixels)"),
         Measure::Share("wrong pixels"),
     ],
     charted_work: &[],
+    charts: &[
+        Shown {
+            sweep: "length",
+            what: What::Error(0),
+        },
+        Shown {
+            sweep: "length",
+            what: What::Cost(5),
+        },
+    ],
+    ends: &[],
     sweeps,
     advice,
 };
@@ -61,7 +72,6 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
         name: "length",
         knob: "moves from end to end",
         questions: questions.into(),
-        charted: 5,
     }]
 }
 
@@ -99,6 +109,7 @@ fn question(segments: &Rc<Segments>) -> Question {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::made_up::lines;
     use crate::run::judged::judged;
 
     #[test]
@@ -158,25 +169,17 @@ mod tests {
     #[test]
     fn the_study_says_where_floating_point_ends() {
         let said = crate::run::run(&STUDY, Effort::Quick, &mut |_| ()).unwrap();
+        let lines = lines(&said.advice);
+        assert!(lines[0].starts_with("every pixel right | "), "{lines:?}");
         assert!(
-            said.advice
-                .starts_with("For segments of up to 10⁷ moves use "),
-            "{}",
-            said.advice
+            lines[0].contains(" | to 10⁷ moves | 1.0 | nothing"),
+            "{lines:?}"
         );
-        assert!(
-            said.advice.contains("DDA f32 has wrong pixels from 10"),
-            "{}",
-            said.advice
-        );
-        assert!(
-            said.advice.ends_with('.') && !said.advice.contains(". "),
-            "{}",
-            said.advice
-        );
+        let wrong = |line: &&String| line.contains("| DDA f32 |") && line.contains("| beyond: ");
+        assert!(lines.iter().any(|line| wrong(&line)), "{lines:?}");
         let charts = said
             .charts(&ombra_figures::style::Style::default())
             .unwrap();
-        assert_eq!(charts.len(), 4);
+        assert_eq!(charts.len(), 2);
     }
 }

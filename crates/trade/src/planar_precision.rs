@@ -52,7 +52,7 @@ use crate::planar_precision::casts::Casts;
 use crate::planar_precision::techniques::{
     cast, directional_f64, matrix_f32, matrix_f64, moved_origin, parameter_f64, quotient_f64,
 };
-use crate::study::{Case, Effort, Question, Study, Sweep};
+use crate::study::{Case, Effort, Question, Shown, Study, Sweep, What};
 
 /// The study.
 pub const STUDY: Study = Study {
@@ -61,6 +61,29 @@ pub const STUDY: Study = Study {
     unit: "vertex",
     errors: &[Measure::Largest("relative error of the shadow")],
     charted_work: &[],
+    charts: &[
+        Shown {
+            sweep: "towards-plane",
+            what: What::Error(0),
+        },
+        Shown {
+            sweep: "towards-plane",
+            what: What::Cost(4),
+        },
+        Shown {
+            sweep: "far-from-origin",
+            what: What::Error(0),
+        },
+        Shown {
+            sweep: "far-from-origin",
+            what: What::Cost(6),
+        },
+        Shown {
+            sweep: "to-infinity",
+            what: What::Error(0),
+        },
+    ],
+    ends: &[],
     sweeps,
     advice,
 };
@@ -110,19 +133,16 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
             name: "towards-plane",
             knob: "distance of the light / its height",
             questions: towards_plane.collect(),
-            charted: 4,
         },
         Sweep {
             name: "to-infinity",
             knob: "1 / w of the light",
             questions: to_infinity.collect(),
-            charted: 7,
         },
         Sweep {
             name: "far-from-origin",
             knob: "distance from the origin / size of the scene",
             questions: far.collect(),
-            charted: 6,
         },
     ]
 }

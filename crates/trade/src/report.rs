@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 pub(crate) mod made_up;
+mod read;
 mod table;
 mod written;
 
@@ -9,8 +10,10 @@ use core::fmt::Write as _;
 
 use ombra_math::work::{Counter, Work};
 
+use crate::advice::Advice;
 use crate::deviation::{Deviation, Measure};
 use crate::statistics::Quartiles;
+use crate::study::{Shown, Study};
 
 /// What a run of a study found.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,12 +26,16 @@ pub struct Report {
     pub unit: &'static str,
     /// How errors are measured; the first is what the front goes by.
     pub errors: &'static [Measure],
-    /// Which counted work has a chart.
+    /// What a chart of counted work shows.
     pub charted_work: &'static [Counter],
+    /// Its charts.
+    pub shown: &'static [Shown],
+    /// Why curves of some techniques end.
+    pub ends: &'static [(&'static str, &'static str)],
     /// Its sweeps.
     pub sweeps: Vec<Measured>,
-    /// One sentence from the numbers.
-    pub advice: String,
+    /// What to take, from the numbers.
+    pub advice: Advice,
 }
 
 /// A sweep with its results.
@@ -38,8 +45,6 @@ pub struct Measured {
     pub name: &'static str,
     /// What is turned.
     pub knob: &'static str,
-    /// The place of the question whose cost is charted against its error.
-    pub charted: usize,
     /// From easy to hard.
     pub questions: Vec<Answered>,
 }
@@ -119,10 +124,27 @@ impl Measured {
 }
 
 impl Report {
+    /// What a study's measurements say.
+    #[must_use]
+    pub(crate) fn new(study: &Study, sweeps: Vec<Measured>) -> Self {
+        let advice = (study.advice)(&sweeps);
+        Self {
+            study: study.id,
+            summary: study.summary,
+            unit: study.unit,
+            errors: study.errors,
+            charted_work: study.charted_work,
+            shown: study.charts,
+            ends: study.ends,
+            sweeps,
+            advice,
+        }
+    }
+
     /// The advice as Markdown, with what it was measured on.
     #[must_use]
     pub fn advice_markdown(&self) -> String {
-        let mut text = format!("{}\n", self.advice);
+        let mut text = self.advice.to_string();
         let cases = self.sweeps.iter().flat_map(Measured::rows).count();
         let _ = writeln!(
             text,

@@ -86,16 +86,7 @@ pub fn run(
     });
     let mut measured = assemble(&sweeps, study.errors, judged.into_iter().zip(times));
     mark_fronts(&mut measured);
-    let advice = (study.advice)(&measured);
-    Ok(Report {
-        study: study.id,
-        summary: study.summary,
-        unit: study.unit,
-        errors: study.errors,
-        charted_work: study.charted_work,
-        sweeps: measured,
-        advice,
-    })
+    Ok(Report::new(study, measured))
 }
 
 /// Errors and counted work of every case, in order.
@@ -215,7 +206,6 @@ fn assemble(
     let sweeps = sweeps.iter().map(|sweep| Measured {
         name: sweep.name,
         knob: sweep.knob,
-        charted: sweep.charted,
         questions: sweep
             .questions
             .iter()

@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use ombra_math::work::{Counter, Work};
 
+use crate::advice::Advice;
 use crate::deviation::{Measure, Verdict};
 use crate::report::Measured;
 
@@ -42,14 +43,40 @@ pub struct Study {
     pub summary: &'static str,
     /// One of the things worked on: `vertex`. Times are for one of them.
     pub unit: &'static str,
-    /// How the errors of a case become one number. The first is what the front and the advice go by; each has a chart.
+    /// How the errors of a case become one number. The first is what the front and the advice go by.
     pub errors: &'static [Measure],
-    /// Which counted work has a chart: of each technique the first of these counters that it moves. None: no chart.
+    /// What a chart of counted work shows: of each technique the first of these counters that it moves.
     pub charted_work: &'static [Counter],
+    /// Its charts: those that the notes show, and no others.
+    pub charts: &'static [Shown],
+    /// Techniques that are not asked beyond some setting, each with the reason, which stands at the ends of its curves.
+    pub ends: &'static [(&'static str, &'static str)],
     /// Makes inputs and cases, the same every time.
     pub sweeps: fn(Effort) -> Vec<Sweep>,
-    /// One sentence from the numbers.
-    pub advice: fn(&[Measured]) -> String,
+    /// What to take, from the numbers.
+    pub advice: fn(&[Measured]) -> Advice,
+}
+
+/// A chart of a study.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shown {
+    /// The sweep.
+    pub sweep: &'static str,
+    /// What it shows.
+    pub what: What,
+}
+
+/// What a chart shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum What {
+    /// The error over the knob, by the measure in this place among the study's.
+    Error(usize),
+    /// The time over the knob.
+    Time,
+    /// The counted work over the knob.
+    Work,
+    /// The error against the time, with the Pareto front, of the question in this place.
+    Cost(usize),
 }
 
 /// One question over a range: of inputs (a question for each) or of the techniques' own knob (all in one question).
@@ -60,8 +87,6 @@ pub struct Sweep {
     pub knob: &'static str,
     /// From easy to hard.
     pub questions: Vec<Question>,
-    /// The place, among the questions, of the one whose cost is charted against its error.
-    pub charted: usize,
 }
 
 /// One set of inputs with its ground truth, put to several techniques.

@@ -38,7 +38,7 @@ use ombra_math::work::Counter;
 use crate::case;
 use crate::deviation::Measure;
 use crate::hidden::{Answer, TrianglesInView};
-use crate::study::{Effort, Question, Study, Sweep};
+use crate::study::{Effort, Question, Shown, Study, Sweep, What};
 use crate::visibility::advice::advice;
 use crate::visibility::triangles::triangles;
 
@@ -53,6 +53,26 @@ pub const STUDY: Study = Study {
         Counter::Intersections,
         Counter::DepthTests,
         Counter::Fragments,
+    ],
+    charts: &[
+        Shown {
+            sweep: "primitives",
+            what: What::Work,
+        },
+        Shown {
+            sweep: "primitives",
+            what: What::Time,
+        },
+        Shown {
+            sweep: "primitives",
+            what: What::Cost(3),
+        },
+    ],
+    ends: &[
+        ("image space", "n·m·k rays"),
+        ("object space", "k² pairs"),
+        ("image space with boxes", "few in a quick run"),
+        ("painter", "few in a quick run"),
     ],
     sweeps,
     advice,
@@ -85,13 +105,11 @@ fn sweeps(effort: Effort) -> Vec<Sweep> {
             name: "primitives",
             knob: "primitives",
             questions: questions.into(),
-            charted: 3,
         },
         Sweep {
             name: "pixels",
             knob: "pixels",
             questions: pictures.into(),
-            charted: 4,
         },
     ]
 }

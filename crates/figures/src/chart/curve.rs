@@ -3,7 +3,7 @@
 use ombra_math::glam::DVec2;
 
 use crate::colour::Role;
-use crate::drawing::{Pen, THIN};
+use crate::drawing::{NORMAL, Pen, THIN};
 use crate::marks::DOT;
 use crate::path::Path;
 use crate::sheet::Sheet;
@@ -39,4 +39,22 @@ pub(super) fn mark(sheet: &mut Sheet, at: DVec2, curve: u8) {
     };
     sheet.avoid(&path);
     sheet.fill_unmarked(path, inside, Pen::new(Role::Curve(curve), THIN));
+}
+
+/// From one quartile to the other, with a short line across each end.
+pub(super) fn bar(sheet: &mut Sheet, (from, to): (DVec2, DVec2), curve: u8) {
+    let across = 0.9 * DOT * (to - from).normalize_or_zero().perp();
+    let mut path = Path::line(from, to);
+    path.add_polyline(&[from - across, from + across]);
+    path.add_polyline(&[to - across, to + across]);
+    sheet.stroke(path, Pen::new(Role::Curve(curve), THIN));
+}
+
+/// An upright bar behind the last point of a curve that ends before the others.
+pub(super) fn stop(sheet: &mut Sheet, end: DVec2, curve: u8) {
+    let at = end + DVec2::new(2.4 * DOT, 0.0);
+    let half = DVec2::new(0.0, 2.6 * DOT);
+    let pen = Pen::new(Role::Curve(curve), NORMAL);
+    sheet.line(end, at, pen.clone());
+    sheet.line(at - half, at + half, pen);
 }

@@ -6,7 +6,7 @@ use super::Chart;
 use crate::colour::{Ink, Role};
 use crate::drawing::{EMPHASIS, NORMAL, Pen};
 use crate::marks::DOT;
-use crate::path::Path;
+use crate::path::{Path, Rect};
 use crate::sheet::{Label, Sheet};
 use crate::text::NOTE;
 
@@ -35,11 +35,16 @@ pub(super) fn draw_steps(sheet: &mut Sheet, steps: &[DVec2]) {
 }
 
 /// A ring around each point and its name.
-pub(super) fn name_points(sheet: &mut Sheet, front: &[Named], steps: &[DVec2]) {
+///
+/// A name that finds no place in `area` is left out: the list of names says what is lost at each point.
+pub(super) fn name_points(sheet: &mut Sheet, front: &[Named], steps: &[DVec2], area: Rect) {
     for ((name, _), &at) in front.iter().zip(steps) {
         sheet.stroke(Path::circle(at, 1.9 * DOT), Pen::new(Role::Chosen, NORMAL));
         let label = Label::new(at, name.as_str()).reach(1.9 * DOT).size(NOTE);
-        sheet.label(label.towards(DVec2::new(-1.0, 1.0)));
+        if !name.is_empty() {
+            let label = label.within(area).optional();
+            sheet.label(label.towards(DVec2::new(-1.0, 1.0)));
+        }
     }
 }
 
@@ -67,6 +72,7 @@ mod tests {
                 named("a", (1.0, 9.0)),
                 named("b", (3.0, 3.0)),
             ]),
+            settings: String::new(),
         };
         let drawing = chart.draw(&Style::default()).unwrap();
         let front = drawing.items.iter().find_map(|item| match item {

@@ -211,18 +211,19 @@ fn draw(sheet: &mut Sheet, view: &View) -> Result<(), FigureError> {
         view.series::<Depth24>(PRECISION_24.text(language), 0),
         view.series::<ReversedDepth32F>(REVERSED.text(language), 0),
     ];
-    let planes = format!("*n* = {}, *f* = {}", decimal(view.near), decimal(view.far));
+    let planes = format!(
+        "*n* = {} m, *f* = {} m",
+        decimal(view.near),
+        decimal(view.far)
+    );
     let chart = Chart {
         id: FIGURE.id.to_owned(),
         title: SUMMARY.text(language).to_owned(),
-        x: Axis::new(
-            DISTANCE.text(language),
-            format!("m   ({planes})"),
-            Scale::Log,
-        ),
+        x: Axis::new(DISTANCE.text(language), "m", Scale::Log),
         y: Axis::new(STEP.text(language), "m", Scale::Log),
         series,
         pareto: None,
+        settings: planes,
     };
     chart.draw_on(sheet)
 }

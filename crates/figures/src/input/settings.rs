@@ -73,6 +73,7 @@ impl Settings {
                 }
                 value => value,
             };
+            inputs.fitted |= self.fit && matches!(value, Value::Object(_));
             inputs.put(input, value);
         }
         if let Some(text) = self.texts.get(STEP) {

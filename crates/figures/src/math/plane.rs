@@ -1,6 +1,7 @@
 //! A plane by its normal and one of its points, and the distance of a point from it.
 
 use ombra_math::glam::{DVec2, DVec3};
+use ombra_math::mesh::Mesh;
 use ombra_math::plane::Plane;
 
 use super::marks::{arrow, point, polyline};
@@ -12,6 +13,7 @@ use crate::number::{coordinates, equation, exact};
 use crate::patch::Patch;
 use crate::path::Rect;
 use crate::sheet::{Align, Label, Sheet};
+use crate::solid::sight::Sight;
 use crate::space::{View, axes};
 use crate::text::LABEL;
 use crate::words::words;
@@ -64,7 +66,7 @@ fn draw(sheet: &mut Sheet) -> Result<(), FigureError> {
     )?;
 
     patch.draw(sheet, &view);
-    axes(sheet, &view, 1.0);
+    axes(sheet, &view, &Sight::new(&view, &Mesh::default()), 1.0);
     // From p straight down to its foot, with the right angle there.
     polyline(
         sheet,

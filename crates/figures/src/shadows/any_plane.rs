@@ -3,14 +3,16 @@
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::plane::Plane;
 
-use super::setting::{OBJECT, Setting, draw_normal, is_cube, light, of_object, on_sheet};
+use super::setting::{
+    ABOVE, OBJECT, Setting, TURN, draw_normal, is_cube, light, of_cut, of_object, on_sheet,
+};
 use crate::colour::Role;
 use crate::figure::{About, Figure, Takes};
 use crate::input::Ask;
 use crate::marks;
 use crate::number::{coordinates, equation};
 use crate::sheet::Label;
-use crate::solid::mesh;
+use crate::solid::{mesh, sight::Sight};
 use crate::space::axes;
 use crate::text::LABEL;
 use crate::words::{self, words};
@@ -22,7 +24,13 @@ const WALL: Ask<Plane> = Ask::plane("plane", "", words::PLANE, [0.0, 1.0, 2.0, 2
 /// generale; Olomouc, Projekce na libovolnou plochu).
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/planar-any-plane",
-    takes: Takes::These(&[LIGHT.input, WALL.input, OBJECT.input]),
+    takes: Takes::These(&[
+        LIGHT.input,
+        WALL.input,
+        OBJECT.input,
+        TURN.input,
+        ABOVE.input,
+    ]),
     words: WORDS,
     about: |inputs, language| {
         let summary = match (is_cube(inputs), inputs.has(&WALL)) {
@@ -31,29 +39,33 @@ pub(super) const FIGURE: Figure = Figure {
             (true, true) => CUBE_ON_PLANE_SUMMARY,
             (false, true) => OBJECT_ON_PLANE_SUMMARY,
         };
-        About::new(language, summary, ANY_PLANE_CAPTION).and(of_object(inputs, language))
+        let cut = of_cut(inputs, (inputs.get(&LIGHT), inputs.get(&WALL)), language);
+        About::new(language, summary, ANY_PLANE_CAPTION)
+            .and(of_object(inputs, language))
+            .and(cut)
     },
     drawn: |sheet, inputs| {
         let object = inputs.get(&OBJECT);
-        let setting = Setting::new(&object, inputs.get(&LIGHT), inputs.get(&WALL))?;
+        let setting = Setting::new(&object, inputs.get(&LIGHT), inputs.get(&WALL))?.seen(inputs);
         let stage = setting.stage(sheet.frame(), &beyond(&setting))?;
         let view = &stage.view;
 
         // A wall between the eye and the object is drawn over it, see-through.
         let before = stage.hides(&setting);
         if before {
-            mesh(sheet, view, &setting.mesh, Role::Occluder)?;
+            mesh(sheet, view, &setting.shown, Role::Occluder)?;
             stage.patch.draw_glass(sheet, view);
         } else {
-            stage.patch.draw(sheet, view);
+            stage.patch.draw_wall(sheet, view);
         }
         setting.draw_shadow(sheet, &stage);
         setting.draw_edges_in_shadow(sheet, &stage);
-        axes(sheet, view, stage.patch.axis());
-        setting.draw_rays(sheet, view);
         if !before {
-            mesh(sheet, view, &setting.mesh, Role::Occluder)?;
+            mesh(sheet, view, &setting.shown, Role::Occluder)?;
         }
+        let sight = Sight::new(view, &setting.shown);
+        axes(sheet, view, &sight, stage.patch.axis());
+        setting.draw_rays(sheet, view, &sight);
         let foot = stage.normal_foot(&setting);
         draw_normal(sheet, view, setting.plane, foot, setting.normal_length());
         let words = equation(setting.plane);
@@ -62,7 +74,7 @@ pub(super) const FIGURE: Figure = Figure {
         if let Some((at, out)) = stage.free_edge(&setting, &[foot], size, sheet.frame()) {
             sheet.label(Label::new(at, words).towards(out));
         }
-        setting.draw_light(sheet, view);
+        setting.draw_light(sheet, view, &sight);
         if let Some(&(_, v, p)) = setting.outermost(view).first() {
             for (point, name, role) in [(v, "V", Role::Occluder), (p, "P", Role::Shadow)] {
                 if let Some(at) = on_sheet(sheet, view, point) {

@@ -2,14 +2,14 @@
 
 use ombra_math::glam::{DVec2, DVec4};
 
-use super::setting::{GROUND, OBJECT, Setting, is_cube, light, of_object};
+use super::setting::{ABOVE, GROUND, OBJECT, Setting, TURN, is_cube, light, of_cut, of_object};
 use super::stage::Stage;
 use crate::colour::Role;
 use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
 use crate::input::{Ask, Inputs};
 use crate::sheet::Sheet;
-use crate::solid::mesh;
+use crate::solid::{mesh, sight::Sight};
 use crate::space::axes;
 use crate::style::Language;
 use crate::table::Table;
@@ -21,7 +21,13 @@ const AT_A_PLACE: Ask<DVec4> = light([0.0, 100.0, 100.0, 1.0]);
 /// Under (10, 10, 10) at infinity (Olomouc, Zdroj v nekonečnu, Příklad).
 pub(super) const INFINITY: Figure = Figure {
     id: "shadows/cube-infinity",
-    takes: Takes::These(&[AT_INFINITY.input, GROUND.input, OBJECT.input]),
+    takes: Takes::These(&[
+        AT_INFINITY.input,
+        GROUND.input,
+        OBJECT.input,
+        TURN.input,
+        ABOVE.input,
+    ]),
     words: WORDS,
     about: |inputs, language| about(inputs, language, &AT_INFINITY),
     drawn: |sheet, inputs| draw(sheet, inputs, &AT_INFINITY),
@@ -30,7 +36,13 @@ pub(super) const INFINITY: Figure = Figure {
 /// Under the point (0, 100, 100) (Olomouc, Zdroj světla v bodě, Příklad).
 pub(super) const POINT: Figure = Figure {
     id: "shadows/cube-point",
-    takes: Takes::These(&[AT_A_PLACE.input, GROUND.input, OBJECT.input]),
+    takes: Takes::These(&[
+        AT_A_PLACE.input,
+        GROUND.input,
+        OBJECT.input,
+        TURN.input,
+        ABOVE.input,
+    ]),
     words: WORDS,
     about: |inputs, language| about(inputs, language, &AT_A_PLACE),
     drawn: |sheet, inputs| draw(sheet, inputs, &AT_A_PLACE),
@@ -103,12 +115,15 @@ fn about(inputs: &Inputs, language: Language, light: &Ask<DVec4>) -> About {
         (false, true) => (CUBE_POINT_SUMMARY, CUBE_POINT_CAPTION),
         (false, false) => (OBJECT_POINT_SUMMARY, OBJECT_POINT_CAPTION),
     };
-    About::new(language, summary, caption).and(of_object(inputs, language))
+    let cut = of_cut(inputs, (inputs.get(light), inputs.get(&GROUND)), language);
+    About::new(language, summary, caption)
+        .and(of_object(inputs, language))
+        .and(cut)
 }
 
 fn draw(sheet: &mut Sheet, inputs: &Inputs, light: &Ask<DVec4>) -> Result<(), FigureError> {
     let object = inputs.get(&OBJECT);
-    let setting = Setting::new(&object, inputs.get(light), inputs.get(&GROUND))?;
+    let setting = Setting::new(&object, inputs.get(light), inputs.get(&GROUND))?.seen(inputs);
     let stage = if setting.has_few() {
         stage_beside_table(sheet, &setting)?
     } else {
@@ -118,12 +133,14 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs, light: &Ask<DVec4>) -> Result<(), Fi
     stage.patch.draw(sheet, view);
     setting.draw_shadow(sheet, &stage);
     setting.draw_edges_in_shadow(sheet, &stage);
-    axes(sheet, view, stage.patch.axis());
-    setting.draw_rays(sheet, view);
-    mesh(sheet, view, &setting.mesh, Role::Occluder)?;
-    setting.draw_light(sheet, view);
+    mesh(sheet, view, &setting.shown, Role::Occluder)?;
+    let sight = Sight::new(view, &setting.shown);
+    setting.draw_drops(sheet, &stage, &sight);
+    axes(sheet, view, &sight, stage.patch.axis());
+    setting.draw_rays(sheet, view, &sight);
+    setting.draw_light(sheet, view, &sight);
     if setting.has_few() {
-        setting.name_points(sheet, view);
+        setting.name_points(sheet, view, &sight);
     }
     Ok(())
 }

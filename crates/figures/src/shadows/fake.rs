@@ -4,7 +4,7 @@ use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::plane::Plane;
 use ombra_shadows::fake::ellipse;
 
-use super::setting::{OBJECT, Setting, light, of_object, on_sheet};
+use super::setting::{ABOVE, OBJECT, Setting, TURN, light, of_object, on_sheet};
 use crate::colour::Role;
 use crate::drawing::{EMPHASIS, Pen, THIN};
 use crate::error::FigureError;
@@ -14,20 +14,20 @@ use crate::number::as_typed;
 use crate::object::NamedMesh;
 use crate::path::Path;
 use crate::sheet::{Label, Sheet};
-use crate::solid::mesh;
+use crate::solid::{mesh, sight::Sight};
 use crate::words::{TRUE_SHADOW, words};
 
 /// Olomouc, Zjednodušení; Croatian 8.4, lažne sjene.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/fake",
-    takes: Takes::These(&[LIGHT.input, OBJECT.input]),
+    takes: Takes::These(&[LIGHT.input, OBJECT.input, TURN.input, ABOVE.input]),
     words: WORDS,
     about: |inputs, language| {
         About::new(language, SUMMARY, CAPTION).and(of_object(inputs, language))
     },
     drawn: |sheet, inputs| {
         let object = lowered((*inputs.get(&OBJECT)).clone());
-        let setting = Setting::new(&object, inputs.get(&LIGHT), Plane::GROUND)?;
+        let setting = Setting::new(&object, inputs.get(&LIGHT), Plane::GROUND)?.seen(inputs);
         let fake = ellipse(&setting.mesh.positions, setting.plane, setting.light).ok_or_else(|| {
             FigureError::Scene {
                 reason: format!(
@@ -61,8 +61,9 @@ pub(super) const FIGURE: Figure = Figure {
             sheet.label(label.towards(DVec2::NEG_X).ink(Role::Shadow));
         }
 
-        mesh(sheet, view, &setting.mesh, Role::Occluder)?;
-        setting.draw_light(sheet, view);
+        mesh(sheet, view, &setting.shown, Role::Occluder)?;
+        let sight = Sight::new(view, &setting.shown);
+        setting.draw_light(sheet, view, &sight);
         Ok(())
     },
 };

@@ -9,6 +9,7 @@ use crate::colour::Role;
 use crate::drawing::{EMPHASIS, NORMAL, Pen};
 use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
+use crate::input::Ask;
 use crate::marks;
 use crate::number::exact;
 use crate::panels::panels;
@@ -21,15 +22,19 @@ use crate::words::{TRUE_SHADOW, Word, words};
 /// Olomouc, Nevýhody; Croatian 8.4, projicirane sjene.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/false-shadow",
-    takes: Takes::Nothing(crate::words::FIXED),
+    takes: Takes::These(&[LIGHT.input, V1.input, V2.input, V3.input]),
     words: WORDS,
     about: |_, language| About::new(language, SUMMARY, CAPTION),
-    drawn: |sheet, _| {
+    drawn: |sheet, inputs| {
         let language = sheet.style().language;
-        let lines = HEIGHTS.map(|height| line_of(height).text(language));
-        let frames = panels(sheet, &lines, 1.45)?;
-        for (frame, height) in frames.into_iter().zip(HEIGHTS) {
-            draw(sheet, frame, height)?;
+        let light = DVec4::new(0.0, inputs.get(&LIGHT), 0.0, 1.0);
+        let heights = [V1, V2, V3].map(|height| inputs.get(&height));
+        sheet.heading("*S*(*t*) = *V* − *t* (*V* − **L**)")?;
+        let lines = heights.map(|height| line_of(light, height).text(language));
+        let frames = panels(sheet, &lines, 1.3)?;
+        for (i, (frame, height)) in frames.into_iter().zip(heights).enumerate() {
+            sheet.panel(i, frame);
+            draw(sheet, frame, light, height)?;
         }
         Ok(())
     },
@@ -74,6 +79,22 @@ words! {
         hr: "*t* > 1: iza izvora",
     }
 
+    /// An input.
+    LIGHT_WORD {
+        en: "height of the light",
+        it: "altezza della luce",
+        cs: "výška zdroje",
+        hr: "visina izvora",
+    }
+
+    /// An input.
+    PLATE_WORD {
+        en: "height of the plate in its picture",
+        it: "altezza della lastra nella sua figura",
+        cs: "výška desky na jejím obrázku",
+        hr: "visina ploče na njezinoj slici",
+    }
+
     /// What a matrix draws where there is no shadow.
     FALSE_SHADOW {
         en: "false shadow",
@@ -83,9 +104,14 @@ words! {
     }
 }
 
-const LIGHT: DVec4 = DVec4::new(0.0, 4.0, 0.0, 1.0);
-/// The plate's height in each panel, and its ends.
-const HEIGHTS: [f64; 3] = [2.0, -2.0, 6.0];
+/// The light's height, and the plate's in each panel.
+const LIGHT: Ask<f64> = Ask::number("l", "*L*_y", LIGHT_WORD, 4.0, [2.6, 5.0]);
+const V1: Ask<f64> = Ask::number("v1", "*V*_{1,y}", PLATE_WORD, 2.0, [0.4, 2.2]);
+const V2: Ask<f64> = Ask::number("v2", "*V*_{2,y}", PLATE_WORD, -2.0, [-2.2, -0.4]);
+const V3: Ask<f64> = Ask::number("v3", "*V*_{3,y}", PLATE_WORD, 6.0, [5.4, 6.1]);
+/// How far from the light's foot a shadow may reach.
+const FARTHEST: f64 = 1.6;
+/// The ends of the plate.
 const ENDS: [f64; 2] = [-0.2, 0.9];
 /// What every panel shows.
 const SHOWN: [DVec2; 2] = [DVec2::new(-2.0, -2.3), DVec2::new(2.0, 6.2)];
@@ -93,15 +119,16 @@ const SHOWN: [DVec2; 2] = [DVec2::new(-2.0, -2.3), DVec2::new(2.0, 6.2)];
 const ASIDE: f64 = 0.16;
 
 /// The panel's line, by what the library says of the plate.
-fn line_of(height: f64) -> Word {
-    match classify(Plane::GROUND, LIGHT, DVec3::new(ENDS[0], height, 0.0)) {
+fn line_of(light: DVec4, height: f64) -> Word {
+    match classify(Plane::GROUND, light, DVec3::new(ENDS[0], height, 0.0)) {
         Some(Placement::Casts) => BETWEEN,
         Some(Placement::BehindPlane) => BEHIND_PLANE,
         _ => BEYOND_LIGHT,
     }
 }
 
-fn draw(sheet: &mut Sheet, panel: Rect, height: f64) -> Result<(), FigureError> {
+fn draw(sheet: &mut Sheet, panel: Rect, source: DVec4, height: f64) -> Result<(), FigureError> {
+    let kind = line_of(source, height);
     let mut frame = panel;
     frame.min.x += 2.0 * ASIDE * panel.size().x;
     let section = Section::fit(&SHOWN, frame)?;
@@ -112,26 +139,25 @@ fn draw(sheet: &mut Sheet, panel: Rect, height: f64) -> Result<(), FigureError> 
     let edge = |x| DVec2::new(x, line);
     ground(sheet, edge(panel.min.x), edge(panel.max.x));
 
-    let light = LIGHT.truncate();
-    let plate = ENDS.map(|x| DVec3::new(x, height, 0.0));
+    let light = source.truncate();
+    // A plate right above the light throws its false shadow far away: it is shorter then.
+    let spread = (source.y / (source.y - height)).abs() * ENDS[1];
+    let length = (FARTHEST / spread).min(1.0);
+    let plate = ENDS.map(|x| DVec3::new(x * length, height, 0.0));
     let drawn_by_matrix = |v: DVec3| -> Option<DVec3> {
-        project(shadow_matrix(Plane::GROUND, LIGHT).ok()? * point(v))
+        project(shadow_matrix(Plane::GROUND, source).ok()? * point(v))
     };
     let shadow = plate.map(|v| drawn_by_matrix(v).unwrap_or_default());
-    let is_true = line_of(height) == BETWEEN;
+    let is_true = kind == BETWEEN;
 
     for (v, p) in plate.into_iter().zip(shadow) {
         // In order along the ray; light travels as far as the first thing it meets.
-        let (first, last) = match line_of(height) {
+        let (first, last) = match kind {
             BETWEEN => (v, p),
             _ => (p, v),
         };
         marks::ray_from_sun(sheet, at(light), at(first));
-        let from = if line_of(height) == BEYOND_LIGHT {
-            light
-        } else {
-            first
-        };
+        let from = if kind == BEYOND_LIGHT { light } else { first };
         marks::stopped_ray(sheet, at(from), at(last));
         sheet.avoid(&Path::line(at(from), at(last)));
     }
@@ -150,25 +176,30 @@ fn draw(sheet: &mut Sheet, panel: Rect, height: f64) -> Result<(), FigureError> 
     sheet.line(c, d, Pen::new(Role::Occluder, 2.0 * EMPHASIS));
     marks::sun(sheet, at(light));
 
+    // Where the point is for three values of t: on the plate, at the light, on the plane.
+    let value = exact(height / (height - source.y));
+    let right = |a: DVec2, b: DVec2| if a.x > b.x { a } else { b };
+    for (at, reach, t) in [
+        (right(c, d), EMPHASIS + 4.0, "0"),
+        (at(light), marks::SUN + 2.0, "1"),
+        (right(a, b), EMPHASIS + 4.0, value.as_str()),
+    ] {
+        let label = Label::new(at, format!("*t* = {t}")).reach(reach);
+        sheet.label(label.towards(DVec2::new(1.0, -0.2)));
+    }
     let words = if is_true { TRUE_SHADOW } else { FALSE_SHADOW };
     // Below the ground's hatched strip, clear of rays that go on there.
-    let (under, side) = match line_of(height) {
+    let (under, side) = match kind {
         BEHIND_PLANE => (a.min(b), DVec2::new(-1.0, 1.0)),
         _ => ((a + b) * 0.5, DVec2::Y),
     };
     let label = Label::new(under + DVec2::new(0.0, STRIP), words.text(language));
-    sheet.label(label.towards(side).size(NOTE).within(panel));
-    sheet.label(
-        Label::new(at(light), "**L**")
-            .reach(marks::SUN + 2.0)
-            .towards(DVec2::NEG_X),
-    );
-    let t = exact(height / (height - LIGHT.y));
-    sheet.label(
-        Label::new(c, format!("*t* = {t}"))
-            .reach(EMPHASIS + 4.0)
-            .towards(DVec2::NEG_X)
-            .within(panel),
-    );
+    sheet.label(label.towards(side).size(NOTE));
+    for (place, name, reach) in [
+        (at(light), "**L**", marks::SUN + 2.0),
+        (c.min(d), "*V*", EMPHASIS + 4.0),
+    ] {
+        sheet.label(Label::new(place, name).reach(reach).towards(DVec2::NEG_X));
+    }
     Ok(())
 }

@@ -3,14 +3,21 @@
 use ombra_math::glam::{DVec2, DVec3};
 
 use super::setting::Setting;
+use crate::colour::Role;
+use crate::drawing::{Pen, THIN};
 use crate::marks;
 use crate::number::exact;
 use crate::sheet::{Label, Sheet};
+use crate::solid::sight::Sight;
 use crate::space::View;
 
-/// A light farther away than this many radii is shown by arrows that come from it.
-const FAR_LIGHT: f64 = 16.0;
-/// Where such arrows end and begin, in radii from the object's middle.
+/// A light farther away than this many radii is drawn here, its rays broken.
+const NEAR_LIGHT: f64 = 4.0;
+/// Where a ray is broken, in radii from the object's middle along the way to the light.
+const BREAK: [f64; 2] = [2.1, 2.5];
+/// Half the length of the stroke at a broken end.
+const STROKE: f64 = 9.0;
+/// Where arrows from a light at infinity end and begin, in radii from the object's middle.
 const ARROW: [f64; 2] = [1.4, 2.8];
 
 /// How a light is shown.
@@ -19,35 +26,51 @@ pub(super) enum Sun {
     Far([DVec3; 2]),
     /// Where it is.
     Near(DVec3),
+    /// Where it is drawn, far nearer than it is: its rays are broken.
+    Broken(DVec3),
+}
+
+impl Sun {
+    /// Where the sun is drawn, or the middle of the arrows.
+    pub fn place(&self) -> DVec3 {
+        match *self {
+            Sun::Near(at) | Sun::Broken(at) => at,
+            Sun::Far([a, b]) => a.midpoint(b),
+        }
+    }
 }
 
 impl Setting {
     /// How its light is shown.
     pub(super) fn sun(&self) -> Sun {
-        let l = self.light;
+        let towards = self.towards_light(self.centre);
+        if self.light.w == 0.0 {
+            return Sun::Far(ARROW.map(|k| self.centre + towards * (self.reach * k)));
+        }
+        let place = self.light.truncate() / self.light.w;
+        if place.distance(self.centre) <= NEAR_LIGHT * self.reach {
+            Sun::Near(place)
+        } else {
+            Sun::Broken(self.centre + towards * (self.reach * NEAR_LIGHT))
+        }
+    }
+
+    /// The direction from a place to the light, of length 1.
+    fn towards_light(&self, from: DVec3) -> DVec3 {
+        // Any multiple is the same light: one with ordinary numbers, before lengths are squared.
+        let l = self.light / self.light.abs().max_element();
         let towards = if l.w == 0.0 {
             l.truncate()
         } else {
-            let place = l.truncate() / l.w;
-            if place.distance(self.centre) <= FAR_LIGHT * self.reach {
-                return Sun::Near(place);
-            }
-            place - self.centre
+            (l.truncate() - from * l.w) * l.w.signum()
         };
-        let towards = towards.normalize_or_zero();
-        Sun::Far(ARROW.map(|k| self.centre + towards * (self.reach * k)))
+        towards.normalize_or_zero()
     }
 
     /// Whether a triangle's front is turned to the light.
     pub(super) fn is_lit(&self, i: usize) -> bool {
         let [a, b, c] = self.mesh.triangle(i).unwrap_or_default();
-        let l = self.light;
-        let to = if l.w == 0.0 {
-            l.truncate()
-        } else {
-            l.truncate() / l.w - a
-        };
-        (b - a).cross(c - a).dot(to) > 0.0
+        (b - a).cross(c - a).dot(self.towards_light(a)) > 0.0
     }
 
     /// Index of each vertex that has a shadow, but of those with one shadow only the nearest to the light.
@@ -91,15 +114,16 @@ impl Setting {
     }
 
     /// From each vertex on to its shadow; of many vertices only the outermost.
-    pub fn draw_rays(&self, sheet: &mut Sheet, view: &View) {
+    pub fn draw_rays(&self, sheet: &mut Sheet, view: &View, sight: &Sight) {
         let rays = if self.has_few() {
             self.rays()
         } else {
             self.outermost(view)
         };
-        for (_, v, p) in rays {
-            let canvas = sheet.frame();
-            if let Some((from, to)) = view.segment(v, p)
+        let canvas = sheet.frame();
+        let pieces = rays.iter().flat_map(|&(_, v, p)| sight.visible(v, p));
+        for (a, b) in pieces {
+            if let Some((from, to)) = view.segment(a, b)
                 && let Some((from, to)) = canvas.cut(from, to)
             {
                 marks::stopped_ray(sheet, from, to);
@@ -108,7 +132,7 @@ impl Setting {
     }
 
     /// Arrows from a light far away or at infinity; otherwise a sun with its rays to the vertices it lights.
-    pub fn draw_light(&self, sheet: &mut Sheet, view: &View) {
+    pub fn draw_light(&self, sheet: &mut Sheet, view: &View, sight: &Sight) {
         let l = self.light;
         let name = format!(
             "**L** = ({}, {}, {}, {})",
@@ -131,19 +155,65 @@ impl Setting {
                 let middle = (far + near) * 0.5 + above;
                 sheet.label(Label::new(middle, name).towards(above));
             }
-            Sun::Near(place) => {
+            sun @ (Sun::Near(place) | Sun::Broken(place)) => {
                 let (Some(at), Some(object)) = (view.project(place), view.project(self.centre))
                 else {
                     return;
                 };
                 for v in self.lit_vertices(view) {
-                    if let Some(to) = view.project(v) {
-                        marks::ray_from_sun(sheet, at, to);
+                    if let Sun::Broken(_) = sun {
+                        self.draw_broken_ray(sheet, view, sight, (place, v));
+                    } else {
+                        for (a, b) in sight.visible(place, v) {
+                            if let Some((from, to)) = view.segment(a, b) {
+                                marks::ray_from_sun(sheet, from, to);
+                            }
+                        }
                     }
                 }
                 marks::sun(sheet, at);
                 let label = Label::new(at, name).reach(marks::SUN + 4.0);
                 sheet.label(label.towards(at - object).beside());
+            }
+        }
+    }
+
+    /// A ray from a light that is drawn too near: its true direction at the vertex, a gap, and its end at the sun.
+    fn draw_broken_ray(
+        &self,
+        sheet: &mut Sheet,
+        view: &View,
+        sight: &Sight,
+        (sun, v): (DVec3, DVec3),
+    ) {
+        let axis = self.towards_light(self.centre);
+        let from = (v - self.centre).dot(axis);
+        let along = self.towards_light(v);
+        let steep = along.dot(axis);
+        // Never level with what it crosses: the light is more than four radii away.
+        if !(steep > 0.0) {
+            return;
+        }
+        let broken = v + along * ((BREAK[0] * self.reach - from) / steep);
+        let whole = (sun - v).dot(axis);
+        let on = v.lerp(sun, (BREAK[1] * self.reach - from) / whole);
+        for (a, b) in sight.visible(broken, v) {
+            if let Some((a, b)) = view.segment(a, b) {
+                marks::ray(sheet, a, b);
+            }
+        }
+        if let Some((a, b)) = view.segment(sun, on) {
+            marks::ray_from_sun(sheet, a, b);
+        }
+        // Two strokes of one slant, as a break is drawn on an axis.
+        let Some((a, b)) = view.segment(sun, self.centre) else {
+            return;
+        };
+        let along = (b - a).normalize_or_zero();
+        let across = along.perp() * STROKE + along * 0.5 * STROKE;
+        for end in [broken, on].into_iter().filter(|&p| !sight.hides(p)) {
+            if let Some(end) = view.project(end) {
+                sheet.line(end - across, end + across, Pen::new(Role::Ray, THIN));
             }
         }
     }
@@ -163,7 +233,8 @@ impl Setting {
         lit.sort_unstable();
         lit.dedup();
         let position = |i: u32| self.mesh.positions.get(usize::try_from(i).ok()?).copied();
-        lit.into_iter().filter_map(position).collect()
+        let there = |v: &DVec3| self.shown.positions.contains(v);
+        lit.into_iter().filter_map(position).filter(there).collect()
     }
 }
 

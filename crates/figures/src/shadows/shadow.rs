@@ -85,7 +85,7 @@ impl Setting {
     fn triangles_that_cast(&self) -> Vec<usize> {
         let all = 0..self.mesh.triangles.len();
         let outside = match self.sun() {
-            Sun::Far(_) => true,
+            Sun::Far(_) | Sun::Broken(_) => true,
             Sun::Near(at) => at.distance(self.centre) > self.reach,
         };
         if outside && self.mesh.is_closed() {

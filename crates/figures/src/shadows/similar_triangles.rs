@@ -14,13 +14,14 @@ use crate::marks;
 use crate::number::{as_typed, exact, round_step};
 use crate::path::Path;
 use crate::section::{Section, axes, ground};
-use crate::sheet::{Align, Label, Sheet};
+use crate::sheet::{Label, Sheet};
+use crate::text::LABEL;
 use crate::words::words;
 
 /// Bologna, Ombre su piani, caso speciale.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/planar-similar-triangles",
-    takes: Takes::These(&[LIGHT.input]),
+    takes: Takes::These(&[LIGHT.input, VERTEX.input]),
     words: WORDS,
     about: |inputs, language| match Proof::of(inputs) {
         Ok(proof) if !proof.leans() => {
@@ -52,6 +53,14 @@ words! {
         hr: "Sjena *P* vrha *V* na ravnini *y* = 0 slijedi iz dvaju sličnih trokuta.",
     }
 
+    /// An input.
+    VERTEX_WORD {
+        en: "the vertex; as it is, it keeps below the light",
+        it: "il vertice; quello iniziale resta sotto la luce",
+        cs: "vrchol; výchozí zůstává pod zdrojem",
+        hr: "vrh; početni ostaje ispod izvora",
+    }
+
     /// The same in lists with the light right above the vertex.
     VERTICAL_RAY_SUMMARY {
         en: "Light, vertex and shadow from the side: one vertical ray",
@@ -71,13 +80,13 @@ words! {
 
 const LIGHT: Ask<DVec4> = light([16.0, 9.0, 0.0, 1.0]);
 
-/// Letter size of the formula, and how wide it may be.
-const FORMULA: f64 = 44.0;
+const USUAL: [f64; 2] = [8.0, 3.0];
+const VERTEX: Ask<DVec2> = Ask::point("v", "*V*", VERTEX_WORD, USUAL, [[-40.0, 0.1], [40.0, 40.0]]);
 /// A section wider or higher than this many times the other side is not drawn.
 const SLENDER: f64 = 8.0;
 /// Where the two columns of heights stand beside the light.
 const INNER: f64 = 58.0;
-const OUTER: f64 = 236.0;
+const OUTER: f64 = 310.0;
 
 /// The section z = 0: the shadow's x does not depend on z.
 struct Proof {
@@ -90,10 +99,11 @@ struct Proof {
 
 impl Proof {
     fn of(inputs: &Inputs) -> Result<Proof, FigureError> {
-        Proof::new(inputs.get(&LIGHT))
+        let own = inputs.has(&VERTEX).then(|| inputs.get(&VERTEX));
+        Proof::new(inputs.get(&LIGHT), own)
     }
 
-    fn new(light: DVec4) -> Result<Proof, FigureError> {
+    fn new(light: DVec4, own: Option<DVec2>) -> Result<Proof, FigureError> {
         let light = if light.w < 0.0 { -light } else { light };
         let refused = |why: &str| FigureError::Scene {
             reason: format!("--light {} {why}", as_typed(&light.to_array())),
@@ -109,7 +119,17 @@ impl Proof {
             light.truncate() / light.w
         };
         // The vertex (8, 3), larger or smaller by a round factor so that it is at most half as high as the light.
-        let v = DVec2::new(8.0, 3.0) * largest_step(place.y / 6.0);
+        let usual = DVec2::from(USUAL) * largest_step(place.y / 6.0);
+        let v = own.unwrap_or(usual);
+        if light.w != 0.0 && v.y >= place.y {
+            return Err(FigureError::Scene {
+                reason: format!(
+                    "the vertex {} is not below the light {}: it casts no shadow on the ground (v, --light)",
+                    as_typed(&v.to_array()),
+                    as_typed(&light.to_array())
+                ),
+            });
+        }
         let slender =
             || refused("is too low or too far aside for its triangles to be drawn in one picture");
         let p = cast(Plane::GROUND, light, v.extend(0.0)).ok_or_else(slender)?;
@@ -137,7 +157,7 @@ impl Proof {
     }
 
     /// The proportion and what follows from it; differences are taken so that they are lengths.
-    fn formula(&self) -> String {
+    fn formula(&self) -> Vec<String> {
         let value = exact(self.p.x);
         let (proportion, result) = if self.at_infinity() {
             (
@@ -159,9 +179,9 @@ impl Proof {
             )
         };
         if self.leans() {
-            format!("{proportion}   ⇒   {result} = {value}")
+            vec![proportion, format!("⇒   {result} = {value}")]
         } else {
-            format!("{result} = {value}")
+            vec![format!("{result} = {value}")]
         }
     }
 
@@ -188,12 +208,21 @@ impl Proof {
     fn draw(&self, sheet: &mut Sheet) -> Result<(), FigureError> {
         let Proof { v, p, top, .. } = *self;
         let whole = sheet.frame();
-        let widest = sheet.lay_out(&self.formula(), FORMULA)?.width;
-        let size = FORMULA * (whole.size().x / widest).min(1.0);
-        let line = sheet.lay_out(&self.formula(), size)?;
-        let height = line.ascent + line.descent;
-        let middle = DVec2::new(whole.centre().x, whole.max.y - 0.5 * height);
-        sheet.text(middle, Align::Centre, &self.formula(), size, Role::Text)?;
+        // The proportion and what follows from it, on one line if that is wide enough.
+        let parts = self.formula();
+        let one = sheet.lay_out(&parts.join("   "), LABEL)?;
+        let lines = if one.width <= whole.size().x {
+            vec![one]
+        } else {
+            let part = |part: &String| sheet.lay_out(part, LABEL);
+            parts.iter().map(part).collect::<Result<Vec<_>, _>>()?
+        };
+        let mut bottom = whole.max.y;
+        for line in lines.into_iter().rev() {
+            let start = DVec2::new(whole.centre().x - 0.5 * line.width, bottom - line.descent);
+            bottom -= line.ascent + line.descent + 0.3 * LABEL;
+            sheet.set_at(line, start, Role::Text.into());
+        }
 
         let foot = DVec2::new(top.x, 0.0);
         let mut shown = vec![v, p, top, foot];
@@ -206,7 +235,7 @@ impl Proof {
         let outwards = if top.x < p.x { DVec2::NEG_X } else { DVec2::X };
         let mut frame = whole;
         frame.min += DVec2::new(90.0, marks::SUN + 12.0);
-        frame.max -= DVec2::new(90.0, 2.0 * FORMULA + 120.0);
+        frame.max = DVec2::new(whole.max.x - 90.0, bottom - 130.0);
         if outwards.x > 0.0 {
             frame.max.x -= OUTER;
         } else {

@@ -7,6 +7,7 @@ use ombra_shadows::planar::cast_onto;
 use crate::colour::{Ink, Role};
 use crate::drawing::{NORMAL, Paint, Pen, THIN};
 use crate::figure::{About, Figure, Takes};
+use crate::input::Ask;
 use crate::panels::panels;
 use crate::patch::Patch;
 use crate::path::Path;
@@ -17,17 +18,17 @@ use crate::words::words;
 /// Bologna, Funzioni dell'ombra; Olomouc, Stíny; Croatian 8.4, uloga sjene u percepciji.
 pub(super) const FIGURE: Figure = Figure {
     id: "shadows/why",
-    takes: Takes::Nothing(crate::words::FIXED),
+    takes: Takes::These(&[HEIGHT.input]),
     words: WORDS,
     about: |_, language| About::new(language, SUMMARY, CAPTION),
-    drawn: |sheet, _| {
+    drawn: |sheet, inputs| {
         let language = sheet.style().language;
         let lines = [WITHOUT, RESTING, HOVERING].map(|word| word.text(language));
         let frames = panels(sheet, &lines, 0.85)?;
 
         // From far away nothing shrinks with distance, so a ball that moves along the sight line keeps its picture.
         let resting = DVec3::new(0.0, 1.0, 0.0);
-        let hovering = resting + View::towards_eye() * RISEN;
+        let hovering = resting + View::towards_eye() * inputs.get(&HEIGHT);
         let balls = [None, Some(resting), Some(hovering)];
         let shadows = balls.map(|ball| ball.map(outline_shadow).unwrap_or_default());
         let ground = Patch::with_cells(Plane::GROUND, &shadows.concat(), Some(0.8))?;
@@ -35,7 +36,8 @@ pub(super) const FIGURE: Figure = Figure {
         let mut shown = receiver.to_vec();
         shown.extend([resting - DVec3::X, resting + DVec3::Y * 1.2]);
 
-        for (frame, ball) in frames.into_iter().zip(balls) {
+        for (i, (frame, ball)) in frames.into_iter().zip(balls).enumerate() {
+            sheet.panel(i, frame);
             let view = View::fit_from_afar(&shown, frame)?;
             ground.draw(sheet, &view);
             if let Some(ball) = ball {
@@ -71,6 +73,14 @@ words! {
         hr: "Slika kugle triput je ista: samo sjena govori gdje je.",
     }
 
+    /// An input.
+    HEIGHT_WORD {
+        en: "how far the ball hovers, in its radii, towards the eye",
+        it: "quanto la palla è sospesa, in raggi, verso l’osservatore",
+        cs: "jak daleko se koule vznáší, v jejích poloměrech, směrem k pozorovateli",
+        hr: "koliko daleko kugla lebdi, u njezinim polumjerima, prema oku",
+    }
+
     /// First panel of `shadows/why`.
     WITHOUT {
         en: "no shadow",
@@ -99,7 +109,7 @@ words! {
 /// From above, a little from the left of the picture.
 const LIGHT: DVec4 = DVec4::new(-0.40, 1.0, -0.26, 0.0);
 /// How far the hovering ball of radius 1 is from the resting one, towards the eye.
-const RISEN: f64 = 2.0;
+const HEIGHT: Ask<f64> = Ask::number("height", "*h*", HEIGHT_WORD, 2.0, [0.2, 4.0]);
 /// Corners of its outline.
 const CORNERS: u32 = 72;
 

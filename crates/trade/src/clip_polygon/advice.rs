@@ -1,6 +1,6 @@
-//! The study's sentence.
+//! The study's advice.
 
-use crate::advice::{between, extent, power_of_ten, times};
+use crate::advice::{Advice, Choice, between, digits, extent, power_of_ten, times};
 use crate::report::{Measured, Row};
 
 /// The error of areas that the advice keeps to.
@@ -9,39 +9,41 @@ const TOLERANCE: f64 = 1e-12;
 const FAR: &str = "far-star";
 
 /// The cheapest technique that is right everywhere, what the others take, and what the wrong ones get wrong.
-pub fn advice(sweeps: &[Measured]) -> String {
+pub fn advice(sweeps: &[Measured]) -> Advice {
     let keep = power_of_ten(TOLERANCE);
     let techniques = sweeps.first().map(Measured::techniques).unwrap_or_default();
     let is_right = |name: &&str| {
         let mut rows = rows_of(sweeps, name);
         rows.all(|row| row.error <= TOLERANCE && outside(row) == 0)
     };
-    let (mut right, wrong): (Vec<&str>, Vec<&str>) = techniques.into_iter().partition(is_right);
+    let (mut right, wrong): (Vec<_>, Vec<_>) = techniques.into_iter().partition(is_right);
     let time = |name: &str| -> f64 { sweeps.iter().map(|s| s.typical_ratio(name)).sum() };
     right.sort_by(|a, b| time(a).total_cmp(&time(b)));
-    let Some((best, others)) = right.split_first() else {
-        return format!("No technique keeps areas within {keep} and every vertex in the window.");
+    let all: Vec<&'static str> = right.iter().chain(&wrong).copied().collect();
+    let baseline = all.first().copied().unwrap_or("");
+    let choice = |name: &&'static str| {
+        let ratio = |sweep: &Measured| sweep.typical_ratio(name) / sweep.typical_ratio(baseline);
+        let is_right = right.contains(name);
+        Choice {
+            need: match *name {
+                "pieces" => "what falls apart, in pieces of its own".to_owned(),
+                "plain form" => "the lecture's loop, a pass a side".to_owned(),
+                _ if is_right => format!("areas to {keep}, every vertex in the window"),
+                _ => "speed, vertices near the window".to_owned(),
+            },
+            method: (*name).to_owned(),
+            setting: match farthest(sweeps, name).filter(|_| is_right) {
+                Some(row) => format!("to {} window sizes away", power_of_ten(row.setting)),
+                None => "few window sizes away".to_owned(),
+            },
+            cost: between(extent(sweeps.iter().map(ratio)), times),
+            loss: loss(sweeps, name, is_right),
+        }
     };
-    let takes = |name: &str| {
-        let ratio = |sweep: &Measured| sweep.typical_ratio(name) / sweep.typical_ratio(best);
-        format!(
-            "{name} takes {}",
-            between(extent(sweeps.iter().map(ratio)), times)
-        )
-    };
-    let others = others.iter().map(|name| takes(name));
-    let wrong = wrong
-        .iter()
-        .map(|name| format!("{}, but {}", takes(name), loss(sweeps, name)));
-    let all: Vec<String> = others.chain(wrong).collect();
-    let mut said = format!("To keep areas within {keep} and every vertex in the window use {best}");
-    if let Some(away) = farthest(sweeps, best).map(|row| power_of_ten(row.setting)) {
-        said = format!("{said}, also where vertices are {away} window sizes away");
+    Advice {
+        baseline,
+        rows: all.iter().map(choice).collect(),
     }
-    if !all.is_empty() {
-        said = format!("{said}; with its time as 1, {}", all.join(", "));
-    }
-    said + "."
 }
 
 fn rows_of<'a>(sweeps: &'a [Measured], name: &'a str) -> impl Iterator<Item = &'a Row> {
@@ -59,8 +61,12 @@ fn outside(row: &Row) -> u64 {
     row.faults.iter().map(|fault| fault.1).sum()
 }
 
-/// `leaves up to 36 vertices outside for 100 given and has relative errors of up to 10⁻¹⁵, of 7·10⁻⁵ where …`
-fn loss(sweeps: &[Measured], name: &str) -> String {
+/// `36 in 100 vertices outside; areas off by 10⁻¹⁵, 10⁻⁹ at 10³`
+fn loss(sweeps: &[Measured], name: &str, is_right: bool) -> String {
+    if is_right {
+        let most = extent(rows_of(sweeps, name).map(|row| row.error)).1;
+        return format!("areas off by {}", digits(most));
+    }
     let questions = sweeps.iter().flat_map(|sweep| &sweep.questions);
     let shares = questions.flat_map(|question| {
         let mine = question.rows.iter().filter(|row| row.technique == name);
@@ -71,12 +77,16 @@ fn loss(sweeps: &[Measured], name: &str) -> String {
         .flat_map(|sweep| sweep.rows_of(name))
         .map(|row| row.error);
     let mut said = format!(
-        "leaves up to {:.0} vertices outside for 100 given and has relative errors of up to {}",
+        "up to {:.0} vertices outside for 100 given; areas off by {}",
         100.0 * extent(shares).1,
-        power_of_ten(extent(near).1)
+        digits(extent(near).1)
     );
-    if let Some(error) = farthest(sweeps, name).map(|row| power_of_ten(row.error)) {
-        said = format!("{said}, of {error} where they are that far");
+    if let Some(row) = farthest(sweeps, name) {
+        said = format!(
+            "{said}, {} at {}",
+            digits(row.error),
+            power_of_ten(row.setting)
+        );
     }
     said
 }
@@ -84,7 +94,7 @@ fn loss(sweeps: &[Measured], name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::made_up;
+    use crate::report::made_up::{self, lines};
 
     /// At 1 and at 10³; of each technique its ratio, its errors, and its vertices outside of 1000.
     fn sweep(name: &'static str, techniques: &[(&'static str, f64, [f64; 2], u64)]) -> Measured {
@@ -113,15 +123,16 @@ mod tests {
             ("pieces", 3.0, good, 0),
             ("rough", 0.5, late, 2),
         ];
+        let found = advice(&[sweep("star", &near), sweep("far-star", &far)]);
+        assert_eq!(found.baseline, "outline");
         assert_eq!(
-            advice(&[sweep("star", &near), sweep("far-star", &far)]),
-            "To keep areas within 10⁻¹² and every vertex in the window use outline, also where vertices are 10³ window \
-             sizes away; \
-             with its time as 1, pieces takes 1.5 to 3.0, rough takes 0.5, but leaves up to 36 vertices outside for 100 \
-             given and has relative errors of up to 10⁻¹⁵, of 10⁻⁹ where they are that far."
+            lines(&found),
+            [
+                "areas to 10⁻¹², every vertex in the window | outline | to 10³ window sizes away | 1.0 | areas off by 10⁻¹⁶",
+                "what falls apart, in pieces of its own | pieces | to 10³ window sizes away | 1.5 to 3.0 | areas off by 10⁻¹⁶",
+                "speed, vertices near the window | rough | few window sizes away | 0.5 | up to 36 vertices outside for 100 given; areas off by 10⁻¹⁵, 10⁻⁹ at 10³",
+            ]
         );
-        let none = "No technique keeps areas within 10⁻¹² and every vertex in the window.";
-        assert_eq!(advice(&[sweep("star", &near[2..])]), none);
-        assert_eq!(advice(&[]), none);
+        assert_eq!(advice(&[]), Advice::default());
     }
 }

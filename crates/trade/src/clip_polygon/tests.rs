@@ -1,4 +1,5 @@
 use super::*;
+use crate::report::made_up::lines;
 use crate::run::judged::{Judged, judged};
 
 fn is_exact(row: &&Judged) -> bool {
@@ -72,22 +73,15 @@ fn a_comb_falls_into_its_teeth() {
 #[test]
 fn the_study_says_what_pieces_cost() {
     let report = crate::run::run(&STUDY, Effort::Quick, &mut |_| ()).unwrap();
-    let said = &report.advice;
+    let said = lines(&report.advice);
     // Only what is made of exact clipping leaves nothing outside and no error at any distance.
-    let start = "To keep areas within 10⁻¹² and every vertex in the window use Sutherland–Hodgman, also where \
-                 vertices are 10¹² window sizes away; ";
-    assert!(said.starts_with(start), "{said}");
-    for part in [
-        ", pieces takes ",
-        "textbook f64 takes ",
-        "textbook f32 takes ",
-        " where they are that far",
-    ] {
-        assert!(said.contains(part), "{said}");
+    let start = "areas to 10⁻¹², every vertex in the window | Sutherland–Hodgman | to 10¹² window sizes away | 1.0 | ";
+    assert!(said[0].starts_with(start), "{said:?}");
+    for technique in ["pieces", "textbook f64", "textbook f32"] {
+        assert!(said.iter().any(|line| line.contains(technique)), "{said:?}");
     }
-    assert!(said.ends_with('.') && !said.contains(". "), "{said}");
     let charts = report
         .charts(&ombra_figures::style::Style::default())
         .unwrap();
-    assert_eq!(charts.len(), 9);
+    assert_eq!(charts.len(), 3);
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::report::made_up::lines;
 use crate::run::judged::judged;
 
 const EXACT: [&str; 4] = ["direct", "Cohen–Sutherland", "Liang–Barsky", "Cyrus–Beck"];
@@ -64,12 +65,14 @@ fn textbook_forms_lose_a_digit_for_every_digit_of_distance() {
 #[test]
 fn the_study_says_what_exactness_costs() {
     let report = crate::run::run(&STUDY, Effort::Quick, &mut |_| ()).unwrap();
-    let said = &report.advice;
-    assert!(said.starts_with("For ends rounded once use "), "{said}");
-    assert!(said.contains("textbook L–B"), "{said}");
-    assert!(said.ends_with('.') && !said.contains(". "), "{said}");
+    let said = lines(&report.advice);
+    assert!(said[0].starts_with("ends rounded once | "), "{said:?}");
+    assert!(
+        said.iter().any(|line| line.contains("textbook L–B")),
+        "{said:?}"
+    );
     let charts = report
         .charts(&ombra_figures::style::Style::default())
         .unwrap();
-    assert_eq!(charts.len(), 6);
+    assert_eq!(charts.len(), 3);
 }

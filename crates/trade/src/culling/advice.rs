@@ -1,11 +1,11 @@
-//! The study's sentence.
+//! The study's advice.
 
-use crate::advice::{between, extent, percent, times};
+use crate::advice::{Advice, Choice, between, extent, percent, times};
 use crate::report::{Measured, Row};
 use ombra_math::work::Counter;
 
 /// What culling changes, what it saves, and in what time.
-pub fn advice(sweeps: &[Measured]) -> String {
+pub fn advice(sweeps: &[Measured]) -> Advice {
     let pairs = |culled: &'static str, whole: &'static str| -> Vec<(&Row, &Row)> {
         let questions = sweeps.iter().flat_map(|sweep| &sweep.questions);
         let found = questions.filter_map(|question| {
@@ -14,48 +14,59 @@ pub fn advice(sweeps: &[Measured]) -> String {
         });
         found.collect()
     };
-    let culled = pairs("culled z-buffer", "z-buffer");
-    let before = pairs("z-buffer of front faces", "z-buffer");
-    let object_space = pairs("culled object space", "object space");
-    if culled.is_empty() {
-        return String::new();
+    let found = [
+        (
+            "a closed solid in less time",
+            "culled z-buffer",
+            "z-buffer",
+            Counter::DepthTests,
+        ),
+        (
+            "fewer vertices transformed",
+            "z-buffer of front faces",
+            "z-buffer",
+            Counter::Vertices,
+        ),
+        (
+            "exact outlines of a closed solid",
+            "culled object space",
+            "object space",
+            Counter::Pairs,
+        ),
+    ];
+    let rows = found.into_iter().filter_map(|(need, culled, whole, what)| {
+        let pairs = pairs(culled, whole);
+        pairs.first()?;
+        let sizes = extent(pairs.iter().map(|(row, _)| row.setting));
+        Some(Choice {
+            need: need.to_owned(),
+            method: culled.to_owned(),
+            setting: format!("{} triangles", between(sizes, |size| size.to_string())),
+            cost: match whole {
+                "z-buffer" => between(ratios(&pairs), times),
+                _ => format!("{} of {whole}", between(ratios(&pairs), times)),
+            },
+            loss: format!(
+                "{}; {} of the {} are left",
+                changed(&pairs),
+                shares(&pairs, what),
+                what.name()
+            ),
+        })
+    });
+    Advice {
+        baseline: "z-buffer",
+        rows: rows.collect(),
     }
-    let mut parts = vec![format!(
-        "Cull the back faces of a closed solid: {}, and the z-buffer makes {} of the depth tests, in {} times the time",
-        changed(&[&culled[..], &object_space].concat()),
-        shares(&culled, Counter::DepthTests),
-        ratios(&culled)
-    )];
-    if !object_space.is_empty() {
-        parts.push(format!(
-            "object space compares {} of the pairs, in {} times the time",
-            shares(&object_space, Counter::Pairs),
-            ratios(&object_space)
-        ));
-    }
-    if !before.is_empty() {
-        let pairs = before.iter().zip(&culled);
-        let quicker = pairs.filter(|((before, _), (culled, _))| before.ratio < culled.ratio);
-        parts.push(format!(
-            "leaving them out before transforms {} of the vertices, but finding them takes time too: {} times the \
-             z-buffer's in all, less than by culling for {} of {} solids ({})",
-            shares(&before, Counter::Vertices),
-            ratios(&before),
-            quicker.count(),
-            before.len(),
-            changed(&before)
-        ));
-    }
-    parts.join("; ") + "."
 }
 
-/// How many pixels are unlike those without culling: `no pixel changes`, `3 pixels change`.
+/// How many pixels are unlike those without culling: `no pixel`, `3 pixels change`.
 fn changed(pairs: &[(&Row, &Row)]) -> String {
     let faults = pairs.iter().flat_map(|(row, _)| &row.faults);
     match faults.map(|(_, number)| number).sum::<u64>() {
-        0 => "no pixel changes".to_owned(),
-        1 => "1 pixel changes".to_owned(),
-        unlike => format!("{unlike} pixels change"),
+        0 => "no pixel".to_owned(),
+        1 => "1 pixel".to_owned(),
+        unlike => format!("{unlike} pixels"),
     }
 }
 
@@ -68,15 +79,15 @@ fn shares(pairs: &[(&Row, &Row)], what: Counter) -> String {
 }
 
 /// From the least to the greatest of times over those without culling.
-fn ratios(pairs: &[(&Row, &Row)]) -> String {
+fn ratios(pairs: &[(&Row, &Row)]) -> (f64, f64) {
     let ratio = |(row, whole): &(&Row, &Row)| row.ratio / whole.ratio;
-    between(extent(pairs.iter().map(ratio)), times)
+    extent(pairs.iter().map(ratio))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::made_up;
+    use crate::report::made_up::{self, lines};
     use ombra_math::work::{Count, Work};
 
     fn row(technique: &'static str, ratio: f64, work: &[(Counter, u64)], unlike: u64) -> Row {
@@ -126,18 +137,15 @@ mod tests {
                 0,
             ),
         ];
+        let found = advice(&[made_up::sweep("sphere", vec![few, many])]);
         assert_eq!(
-            advice(&[made_up::sweep("sphere", vec![few, many.clone()])]),
-            "Cull the back faces of a closed solid: 2 pixels change, and the z-buffer makes 50 % of the depth tests, in \
-             0.6 to 0.8 times the time; object space compares 25 % of the pairs, in 0.4 times the time; leaving them \
-             out before transforms 58 % to 60 % of the vertices, but finding them takes time too: 0.5 to 1.4 times the \
-             z-buffer's in all, less than by culling for 1 of 2 solids (1 pixel changes)."
+            lines(&found),
+            [
+                "a closed solid in less time | culled z-buffer | 1 triangles | 0.6 to 0.8 | no pixel; 50 % of the depth tests are left",
+                "fewer vertices transformed | z-buffer of front faces | 1 triangles | 0.5 to 1.4 | 1 pixel; 58 % to 60 % of the vertices are left",
+                "exact outlines of a closed solid | culled object space | 1 triangles | 0.4 of object space | 2 pixels; 25 % of the pairs are left",
+            ]
         );
-        let many = advice(&[made_up::sweep("sphere", vec![many])]);
-        assert!(
-            many.starts_with("Cull the back faces of a closed solid: no pixel changes, "),
-            "{many}"
-        );
-        assert_eq!(advice(&[]), "");
+        assert!(advice(&[]).rows.is_empty());
     }
 }

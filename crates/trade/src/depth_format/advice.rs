@@ -1,75 +1,53 @@
-//! The study's sentence.
+//! The study's advice.
 
-use crate::advice::{listed, power_of_ten, times};
+use crate::advice::{Advice, Choice, digits, power_of_ten, times};
 use crate::report::{Measured, Row};
 
 /// The gap, over the distance, that the advice wants told apart: two millimetres a metre away.
 const GAP: f64 = 2e-3;
 
-/// How far each format goes, and what the best one costs.
-pub fn advice(sweeps: &[Measured]) -> String {
+/// How far each format goes, the farthest first, what it costs, and what it loses beyond.
+pub fn advice(sweeps: &[Measured]) -> Advice {
     let Some(sweep) = sweeps.first() else {
-        return String::new();
+        return Advice::default();
     };
-    let reaches: Vec<(&'static str, usize)> = sweep
+    let mut reaches: Vec<(&'static str, usize)> = sweep
         .techniques()
         .into_iter()
         .map(|format| (format, reach(sweep, format)))
         .collect();
-    // Of those that go as far, the one named last is not the usual one.
-    let Some(&(best, most)) = reaches.iter().max_by_key(|(_, reach)| *reach) else {
-        return String::new();
-    };
-    let gap = power_of_ten(GAP);
-    let aim = format!("To tell surfaces apart that are {gap} of their distance apart");
-    if most == 0 {
-        return format!("{aim}, no format is enough.");
+    // Stable: of those that go as far, the baseline stays before the others.
+    reaches.sort_by_key(|(_, reach)| core::cmp::Reverse(*reach));
+    let rows = reaches
+        .into_iter()
+        .map(|(format, reach)| choice(sweep, format, reach));
+    Advice {
+        baseline: sweep.techniques().first().copied().unwrap_or(""),
+        rows: rows.collect(),
     }
-    let others: Vec<String> = reaches
-        .iter()
-        .filter(|(format, _)| *format != best)
-        .map(|&(format, reach)| match last(sweep, format, reach) {
-            Some(row) if reach == most => {
-                format!("{format} does too, to {}", power_of_ten(row.setting))
-            }
-            Some(row) => format!(
-                "{format} goes no farther than {}",
-                power_of_ten(row.setting)
-            ),
-            None => format!("{format} is never enough"),
-        })
-        .collect();
-    let (Some(end), Some(hardest)) = (
-        last(sweep, best, most),
-        sweep.questions.len().checked_sub(1),
-    ) else {
-        return String::new();
+}
+
+fn choice(sweep: &Measured, format: &'static str, reach: usize) -> Choice {
+    let setting = match last(sweep, format, reach) {
+        Some(row) => format!("near / far down to {}", power_of_ten(row.setting)),
+        None => "never enough".to_owned(),
     };
-    let mut said = format!(
-        "{aim}, {best} is enough for near / far down to {}, at {} times the time of {}",
-        power_of_ten(end.setting),
-        times(sweep.typical_ratio(best)),
-        sweep.techniques().first().copied().unwrap_or("")
-    );
-    if !others.is_empty() {
-        said = format!("{said}; {}", listed(&others));
-    }
-    let gaps: Vec<String> = reaches
-        .iter()
-        .filter_map(|&(format, _)| {
-            let rows = &sweep.questions.get(hardest)?.rows;
-            let row = rows.iter().find(|row| row.technique == format)?;
-            Some(format!("{} by {format}", power_of_ten(row.error)))
-        })
-        .collect();
-    let setting = sweep.questions.get(hardest).and_then(|q| q.rows.first());
-    match setting {
-        Some(row) => format!(
-            "{said}; at {} what may not be told apart is up to {} of the distance.",
-            power_of_ten(row.setting),
-            listed(&gaps)
-        ),
-        None => said + ".",
+    let loss = sweep
+        .rows_of(format)
+        .last()
+        .map_or_else(String::new, |row| {
+            format!(
+                "at {}, gaps of up to {} of the distance",
+                power_of_ten(row.setting),
+                digits(row.error)
+            )
+        });
+    Choice {
+        need: format!("gaps of {} of the distance seen", power_of_ten(GAP)),
+        method: format.to_owned(),
+        setting,
+        cost: times(sweep.typical_ratio(format)),
+        loss,
     }
 }
 
@@ -88,7 +66,7 @@ fn last<'a>(sweep: &'a Measured, format: &str, reach: usize) -> Option<&'a Row> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::made_up::{self, row};
+    use crate::report::made_up::{self, lines, row};
 
     fn sweep(formats: &[(&'static str, f64, [f64; 3])]) -> Measured {
         let question = |i: usize| {
@@ -104,25 +82,26 @@ mod tests {
     fn how_far_each_goes() {
         let sweep = sweep(&[
             ("24 bits", 1.0, [1e-6, 1e-4, 3e-3]),
-            ("16 bits", 1.1, [3e-3, 1e-4, 0.25]),
+            ("16 bits", 1.1, [2e-3, 1e-4, 0.25]),
             ("reversed", 0.9, [1e-7; 3]),
         ]);
+        let found = advice(&[sweep]);
+        assert_eq!(found.baseline, "24 bits");
+        let need = "gaps of 2·10⁻³ of the distance seen";
         assert_eq!(
-            advice(&[sweep]),
-            "To tell surfaces apart that are 2·10⁻³ of their distance apart, reversed is enough for near / far down to \
-             10⁻³, at 0.9 times the time of 24 bits; 24 bits goes no farther than 10⁻² and 16 bits is never enough; \
-             at 10⁻³ what may not be told apart is up to 3·10⁻³ by 24 bits, 2.5·10⁻¹ by 16 bits and 10⁻⁷ by reversed \
-             of the distance."
+            lines(&found),
+            [
+                format!(
+                    "{need} | reversed | near / far down to 10⁻³ | 0.9 | at 10⁻³, gaps of up to 10⁻⁷ of the distance"
+                ),
+                format!(
+                    "{need} | 24 bits | near / far down to 10⁻² | 1.0 | at 10⁻³, gaps of up to 0.003 of the distance"
+                ),
+                format!(
+                    "{need} | 16 bits | never enough | 1.1 | at 10⁻³, gaps of up to 0.25 of the distance"
+                ),
+            ]
         );
-    }
-
-    #[test]
-    fn none_and_nothing() {
-        let bad = sweep(&[("16 bits", 1.0, [2e-3; 3])]);
-        assert_eq!(
-            advice(&[bad]),
-            "To tell surfaces apart that are 2·10⁻³ of their distance apart, no format is enough."
-        );
-        assert_eq!(advice(&[]), "");
+        assert_eq!(advice(&[]), Advice::default());
     }
 }

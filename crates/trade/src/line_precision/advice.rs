@@ -1,61 +1,72 @@
-//! The study's sentence.
+//! The study's advice.
 
-use crate::advice::{extent, listed, percent, power_of_ten, times};
+use crate::advice::{Advice, Choice, between, extent, percent, power_of_ten, times};
 use crate::report::{Measured, Row};
 
-/// The cheapest technique that is right everywhere, what the others that are cost, and where the rest goes wrong.
-pub fn advice(sweeps: &[Measured]) -> String {
+/// The techniques that are right everywhere, the cheapest first, then the others: where they are right, and what goes
+/// wrong from where on.
+pub fn advice(sweeps: &[Measured]) -> Advice {
     let Some(sweep) = sweeps.first() else {
-        return String::new();
+        return Advice::default();
     };
-    let (mut right, wrong): (Vec<_>, Vec<_>) = sweep
-        .techniques()
-        .into_iter()
-        .partition(|technique| sweep.rows_of(technique).all(|row| row.error == 0.0));
+    let is_right = |technique: &&str| sweep.rows_of(technique).all(|row| row.error == 0.0);
+    let (mut right, wrong): (Vec<_>, Vec<_>) = sweep.techniques().into_iter().partition(is_right);
     right.sort_by(|a, b| sweep.typical_ratio(a).total_cmp(&sweep.typical_ratio(b)));
-    let longest = power_of_ten(extent(sweep.rows().map(|row| row.setting)).1);
-    let faults: Vec<String> = wrong.iter().map(|name| fault(sweep, name)).collect();
-    let Some((best, others)) = right.split_first() else {
-        return format!(
-            "No technique has every pixel of segments of up to {longest} moves right: {}.",
-            listed(&faults)
-        );
-    };
-    let cost = |name: &&str| {
-        let ratio = sweep.typical_ratio(name) / sweep.typical_ratio(best);
-        format!("{name} is right too, in {} times its time", times(ratio))
-    };
-    let also: Vec<String> = others.iter().map(cost).chain(faults).collect();
-    let mut said = format!(
-        "For segments of up to {longest} moves use {best}, the cheapest that is right in every pixel"
-    );
-    if !also.is_empty() {
-        said = format!("{said}; {}", listed(&also));
+    let all: Vec<&'static str> = right.into_iter().chain(wrong).collect();
+    let baseline = all.first().copied().unwrap_or("");
+    let rows = all
+        .into_iter()
+        .map(|technique| choice(sweep, technique, baseline));
+    Advice {
+        baseline,
+        rows: rows.collect(),
     }
-    said + "."
 }
 
-/// `DDA f32 has wrong pixels from 10³ on (99 % of them at 10⁷, up to 10⁴ beside the right one)`
-fn fault(sweep: &Measured, technique: &str) -> String {
-    let is_wrong = |row: &&Row| row.error != 0.0;
-    let first = sweep.rows_of(technique).find(is_wrong);
-    let (Some(first), Some(last)) = (first, sweep.rows_of(technique).last()) else {
-        return String::new();
+/// `DDA f32`: how far it is right, and `99 % of the pixels at 10⁷ moves, up to 10⁴ beside the right one`.
+fn choice(sweep: &Measured, technique: &'static str, baseline: &str) -> Choice {
+    let reach = sweep
+        .rows_of(technique)
+        .take_while(|row| row.error == 0.0)
+        .last();
+    let moves = |row: Option<&Row>| row.map_or_else(String::new, |row| power_of_ten(row.setting));
+    let last = sweep.rows_of(technique).last();
+    let (need, setting) = match reach {
+        Some(_) => ("every pixel right", format!("to {} moves", moves(reach))),
+        None => ("a line, roughly", "any length".to_owned()),
     };
-    format!(
-        "{technique} has wrong pixels from {} on ({} of them at {}, up to {} beside the right one)",
-        power_of_ten(first.setting),
-        percent(last.deviation.wrong_share()),
-        power_of_ten(last.setting),
-        last.deviation.max,
-    )
+    let wrong = last.filter(|_| moves(reach) != moves(last));
+    let loss = wrong.map_or_else(
+        || "nothing".to_owned(),
+        |row| {
+            format!(
+                "beyond: {} of the pixels at {} moves, by up to {}",
+                percent(row.deviation.wrong_share()),
+                power_of_ten(row.setting),
+                row.deviation.max,
+            )
+        },
+    );
+    let ratios = sweep.rows_of(technique).filter_map(|row| {
+        let of = sweep
+            .rows_of(baseline)
+            .find(|other| other.setting == row.setting)?;
+        Some(row.ratio / of.ratio)
+    });
+    Choice {
+        need: need.to_owned(),
+        method: technique.to_owned(),
+        setting,
+        cost: between(extent(ratios), times),
+        loss,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::deviation::Deviation;
-    use crate::report::made_up;
+    use crate::report::made_up::{self, lines};
 
     /// Two pixels of segments of 10 and of 1000 moves.
     fn sweep(techniques: &[(&'static str, f64, [[f64; 2]; 2])]) -> Measured {
@@ -76,24 +87,22 @@ mod tests {
     fn the_cheapest_right_one_the_others_and_the_wrong_ones() {
         let zero = [[0.0; 2]; 2];
         let late = [[0.0; 2], [0.0, 7.0]];
+        let found = advice(&[sweep(&[
+            ("slow", 2.0, zero),
+            ("sum", 0.1, late),
+            ("quick", 0.5, zero),
+            ("never", 0.5, [[0.0, 1.0], [3.0, 1.0]]),
+        ])]);
+        assert_eq!(found.baseline, "quick");
         assert_eq!(
-            advice(&[sweep(&[
-                ("slow", 2.0, zero),
-                ("sum", 0.1, late),
-                ("quick", 0.5, zero)
-            ])]),
-            "For segments of up to 10³ moves use quick, the cheapest that is right in every pixel; \
-             slow is right too, in 4.0 times its time and sum has wrong pixels from 10³ on (50 % of them at 10³, up to 7 beside the right one)."
+            lines(&found),
+            [
+                "every pixel right | quick | to 10³ moves | 1.0 | nothing",
+                "every pixel right | slow | to 10³ moves | 4.0 | nothing",
+                "every pixel right | sum | to 10 moves | 0.2 | beyond: 50 % of the pixels at 10³ moves, by up to 7",
+                "a line, roughly | never | any length | 1.0 | beyond: 100 % of the pixels at 10³ moves, by up to 3",
+            ]
         );
-        assert_eq!(
-            advice(&[sweep(&[("only", 1.0, zero)])]),
-            "For segments of up to 10³ moves use only, the cheapest that is right in every pixel."
-        );
-        assert_eq!(
-            advice(&[sweep(&[("sum", 1.0, late)])]),
-            "No technique has every pixel of segments of up to 10³ moves right: \
-             sum has wrong pixels from 10³ on (50 % of them at 10³, up to 7 beside the right one)."
-        );
-        assert_eq!(advice(&[]), "");
+        assert_eq!(advice(&[]), Advice::default());
     }
 }

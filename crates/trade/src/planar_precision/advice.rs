@@ -1,64 +1,57 @@
-//! The study's sentence.
+//! The study's advice.
 
-use crate::advice::{Stretch, between, listed, power_of_ten, stretches, times};
-use crate::report::Measured;
+use crate::advice::{
+    Advice, Choice, Stretch, between, digits, extent, power_of_ten, stretches, times,
+};
+use crate::report::{Measured, Row};
 
 /// The error that the advice keeps to.
 const TOLERANCE: f64 = 1e-9;
 
 /// One technique to take, and where to take another.
-pub fn advice(sweeps: &[Measured]) -> String {
-    let found: Vec<_> = sweeps
-        .iter()
-        .map(|sweep| (sweep, stretches(sweep, TOLERANCE)))
-        .collect();
-    let usual = found
-        .iter()
-        .flat_map(|(_, stretches)| stretches)
-        .find_map(|stretch| stretch.technique);
-    let keep = power_of_ten(TOLERANCE);
-    let Some(usual) = usual else {
-        return format!("No technique keeps every shadow within {keep} of the exact one.");
-    };
-    let exceptions: Vec<String> = found
-        .iter()
-        .flat_map(|(sweep, stretches)| stretches.iter().map(move |stretch| (sweep, stretch)))
-        .filter(|(_, stretch)| stretch.technique != Some(usual))
-        .map(|(sweep, stretch)| exception(sweep, stretch))
-        .collect();
-    match exceptions.as_slice() {
-        [] => format!("Use {usual}: it keeps every shadow within {keep} of the exact one."),
-        some => {
-            format!(
-                "To keep every shadow within {keep} of the exact one, use {usual}, but {}.",
-                listed(some)
-            )
-        }
+pub fn advice(sweeps: &[Measured]) -> Advice {
+    let rows = sweeps.iter().flat_map(|sweep| {
+        let stretches = stretches(sweep, TOLERANCE);
+        stretches
+            .iter()
+            .map(|stretch| choice(sweep, stretch))
+            .collect::<Vec<_>>()
+    });
+    let first = sweeps.iter().flat_map(Measured::rows).next();
+    Advice {
+        baseline: first.map_or("", |row| row.technique),
+        rows: rows.collect(),
     }
 }
 
-/// `cast (49 to 2200 times its time) where the light's distance over its height is 10⁶ to 10¹⁵`
-fn exception(sweep: &Measured, stretch: &Stretch) -> String {
-    let mut technique = stretch.name().to_owned();
-    if stretch.technique.is_some() {
-        technique = format!(
-            "{technique} ({} times its time)",
-            between(stretch.ratios, times)
-        );
-    }
-    let range = stretch.range(power_of_ten);
-    let place = match sweep.name {
-        "towards-plane" => format!("where the light's distance over its height is {range}"),
-        "to-infinity" => format!("where the light's 1/w is {range}"),
-        _ => format!("where the scene's distance from the origin over its size is {range}"),
+/// `light low over the plane | cast | 10⁶ to 10¹⁵ | 49 to 2200 | …`
+fn choice(sweep: &Measured, stretch: &Stretch) -> Choice {
+    let keep = power_of_ten(TOLERANCE);
+    let (need, knob) = match sweep.name {
+        "towards-plane" => ("low light", "distance / height of the light"),
+        "to-infinity" => ("far light", "1/w of the light"),
+        _ => ("far scene", "distance / size of the scene"),
     };
-    format!("{technique} {place}")
+    let within = |row: &&Row| stretch.from <= row.setting && row.setting <= stretch.to;
+    let technique = stretch.technique.unwrap_or("");
+    let most = extent(sweep.rows_of(technique).filter(within).map(|row| row.error)).1;
+    Choice {
+        need: format!("{need}, shadow to {keep}"),
+        method: stretch.name().to_owned(),
+        setting: format!("{knob} {}", stretch.range(power_of_ten)),
+        cost: stretch
+            .technique
+            .map_or_else(String::new, |_| between(stretch.ratios, times)),
+        loss: stretch
+            .technique
+            .map_or_else(String::new, |_| format!("off by up to {}", digits(most))),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::made_up::{self, row};
+    use crate::report::made_up::{self, lines, row};
 
     /// A sweep over 1, 10, 100, … with the errors of a technique that takes 1 and one that takes 40.
     fn sweep(name: &'static str, errors: &[(f64, f64)]) -> Measured {
@@ -78,24 +71,25 @@ mod tests {
         let sweeps = [
             sweep(
                 "towards-plane",
-                &[(good, good), (good, good), (bad, good), (bad, good)],
+                &[(good, 1e-12), (1e-10, 1e-12), (bad, 1e-12), (bad, 1e-12)],
             ),
             sweep("to-infinity", &[(good, bad), (bad, bad), (good, bad)]),
             sweep("far-from-origin", &[(bad, good), (bad, good), (good, good)]),
         ];
+        let found = advice(&sweeps);
+        assert_eq!(found.baseline, "quick");
         assert_eq!(
-            advice(&sweeps),
-            "To keep every shadow within 10⁻⁹ of the exact one, use quick, \
-             but slow (42 to 43 times its time) where the light's distance over its height is 10² to 10³, \
-             none that is measured here where the light's 1/w is 10 \
-             and slow (40 to 41 times its time) where the scene's distance from the origin over its size is 1 to 10."
+            lines(&found),
+            [
+                "low light, shadow to 10⁻⁹ | quick | distance / height of the light 1 to 10 | 1.0 | off by up to 10⁻⁹",
+                "low light, shadow to 10⁻⁹ | slow | distance / height of the light 10² to 10³ | 42 to 43 | off by up to 10⁻¹²",
+                "far light, shadow to 10⁻⁹ | quick | 1/w of the light 1 | 1.0 | off by up to 10⁻⁹",
+                "far light, shadow to 10⁻⁹ | none that is measured here | 1/w of the light 10 |  | ",
+                "far light, shadow to 10⁻⁹ | quick | 1/w of the light 10² | 1.0 | off by up to 10⁻⁹",
+                "far scene, shadow to 10⁻⁹ | slow | distance / size of the scene 1 to 10 | 40 to 41 | off by up to 10⁻⁹",
+                "far scene, shadow to 10⁻⁹ | quick | distance / size of the scene 10² | 1.0 | off by up to 10⁻⁹",
+            ]
         );
-        assert_eq!(
-            advice(&[sweep("to-infinity", &[(good, good)])]),
-            "Use quick: it keeps every shadow within 10⁻⁹ of the exact one."
-        );
-        let none = "No technique keeps every shadow within 10⁻⁹ of the exact one.";
-        assert_eq!(advice(&[sweep("to-infinity", &[(bad, bad)])]), none);
-        assert_eq!(advice(&[]), none);
+        assert_eq!(advice(&[]), Advice::default());
     }
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::report::made_up::lines;
 use crate::run::judged::{Judged, judged};
 use ombra_figures::style::{Size, Style, Theme};
 
@@ -46,11 +47,6 @@ fn every_question_is_asked_in_full() {
             assert!(question.cases.len() >= 5);
         }
     }
-    assert!(
-        sweeps(Effort::Quick)
-            .iter()
-            .all(|s| s.charted < s.questions.len())
-    );
 }
 
 #[test]
@@ -161,18 +157,16 @@ fn far_from_the_origin_the_matrix_loses_twice_the_digits() {
 }
 
 #[test]
-fn a_report_has_one_sentence_and_three_charts_a_sweep() {
+fn a_report_has_advice_and_the_charts_of_the_notes() {
     let report = crate::run::run(&STUDY, Effort::Quick, &mut |_| ()).unwrap();
-    let said = &report.advice;
+    let said = lines(&report.advice);
     assert!(
-        said.starts_with("To keep every shadow within 10⁻⁹ of the exact one, use "),
-        "{said}"
+        said[0].starts_with("low light, shadow to 10⁻⁹ | "),
+        "{said:?}"
     );
-    assert!(said.ends_with('.') && !said.contains(". "), "{said}");
-    assert!(
-        said.contains("cast (") && said.contains("moved origin f64 ("),
-        "{said}"
-    );
+    for technique in ["cast", "moved origin f64"] {
+        assert!(said.iter().any(|line| line.contains(technique)), "{said:?}");
+    }
     for size in [Size::FULL_HD, Size::new(1024, 768).unwrap()] {
         for &theme in Theme::ALL {
             let style = Style {
@@ -181,7 +175,7 @@ fn a_report_has_one_sentence_and_three_charts_a_sweep() {
                 ..Style::default()
             };
             let charts = report.charts(&style).unwrap();
-            assert_eq!(charts.len(), 9);
+            assert_eq!(charts.len(), 5);
             for chart in &charts {
                 for technique in report.sweeps[0].techniques() {
                     assert!(

@@ -3,6 +3,7 @@
 use ombra_math::work::Work;
 
 use super::{Answered, Measured, Row};
+use crate::advice::Advice;
 use crate::deviation::Deviation;
 use crate::statistics::Quartiles;
 
@@ -32,7 +33,15 @@ pub fn sweep(name: &'static str, questions: Vec<Vec<Row>>) -> Measured {
     Measured {
         name,
         knob: "",
-        charted: 0,
         questions: questions.into_iter().map(question).collect(),
     }
+}
+
+/// The rows of some advice, their cells joined.
+pub fn lines(advice: &Advice) -> Vec<String> {
+    advice
+        .rows
+        .iter()
+        .map(|row| row.cells().join(" | "))
+        .collect()
 }

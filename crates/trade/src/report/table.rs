@@ -5,7 +5,7 @@ use ombra_math::work::Counter;
 use super::{Answered, Measured, Report, Row};
 
 /// The columns that every study has, before its kinds of fault and its counters.
-const COLUMNS: [&str; 16] = [
+pub(super) const COLUMNS: [&str; 17] = [
     "study",
     "sweep",
     "technique",
@@ -19,6 +19,7 @@ const COLUMNS: [&str; 16] = [
     "wrong share",
     "median ns a unit",
     "quartile distance ns",
+    "lower quartile ns",
     "baseline",
     "ratio to baseline",
     "on front",
@@ -71,6 +72,7 @@ impl Report {
             row.deviation.wrong_share().to_string(),
             format!("{:.3}", row.nanoseconds.median),
             format!("{:.3}", row.nanoseconds.spread()),
+            format!("{:.3}", row.nanoseconds.lower),
             baseline.to_owned(),
             format!("{:.3}", row.ratio),
             if row.on_front { "yes" } else { "no" }.to_owned(),

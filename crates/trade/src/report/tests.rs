@@ -2,8 +2,52 @@ use ombra_figures::drawing::Drawing;
 use ombra_figures::style::{Format, Style};
 
 use super::*;
+use crate::advice::Choice;
+use crate::study::What;
 use ombra_math::work::Count;
 use std::fs;
+
+const SHOWN: &[Shown] = &[
+    shown(What::Error(0)),
+    shown(What::Error(1)),
+    shown(What::Time),
+    shown(What::Work),
+    shown(What::Cost(0)),
+];
+
+const fn shown(what: What) -> Shown {
+    Shown {
+        sweep: "sweep",
+        what,
+    }
+}
+
+fn use_plain(_: &[Measured]) -> Advice {
+    let choice = Choice {
+        need: "speed".to_owned(),
+        method: "plain".to_owned(),
+        setting: "any".to_owned(),
+        cost: "1.0".to_owned(),
+        loss: "0.25 and more".to_owned(),
+    };
+    Advice {
+        baseline: "plain",
+        rows: vec![choice],
+    }
+}
+
+/// A study that the report could be of.
+const STUDY: Study = Study {
+    id: "made-up",
+    summary: "Made up",
+    unit: "vertex",
+    errors: &[Measure::Largest("error"), Measure::Share("wrong answers")],
+    charted_work: &[Counter::Fragments, Counter::Taps],
+    charts: SHOWN,
+    ends: &[("gone", "k² pairs")],
+    sweeps: |_| vec![],
+    advice: use_plain,
+};
 
 /// Three techniques at two settings; `exact` errs by 0 and is slow, `gone` answers half.
 fn report() -> Report {
@@ -39,13 +83,14 @@ fn report() -> Report {
         unit: "vertex",
         errors: &[Measure::Largest("error"), Measure::Share("wrong answers")],
         charted_work: &[Counter::Fragments, Counter::Taps],
+        shown: SHOWN,
+        ends: &[("gone", "k² pairs")],
         sweeps: vec![Measured {
             name: "sweep",
             knob: "knob",
-            charted: 0,
             questions: vec![question(0.25), question(256.0)],
         }],
-        advice: "Use plain.".to_owned(),
+        advice: use_plain(&[]),
     }
 }
 
@@ -64,7 +109,7 @@ fn the_table() {
     assert_eq!(
         lines[1],
         format!(
-            "made-up,sweep,plain,knob,2.5e-1,\"light, \"\"0.25\"\"\",2,2.5e-1,{rms:e},0,0.5,1.500,0.500,plain,1.000,yes,5,3"
+            "made-up,sweep,plain,knob,2.5e-1,\"light, \"\"0.25\"\"\",2,2.5e-1,{rms:e},0,0.5,1.500,0.500,1.250,plain,1.000,yes,5,3"
         )
     );
     assert!(
@@ -89,9 +134,9 @@ fn charts_show_all_but_incomplete_answers() {
     };
     for chart in [error, cost] {
         assert!(has(chart, "plain") && has(chart, "exact") && !has(chart, "gone"));
-        // An error of 0 is shown on a logarithmic axis, which says so.
+        // An error of 0 is shown below a logarithmic axis.
         assert!(
-            has(chart, "largest error (0: lowest marks)"),
+            has(chart, "largest error") && has(chart, "0"),
             "{}",
             chart.id
         );
@@ -100,14 +145,26 @@ fn charts_show_all_but_incomplete_answers() {
     for chart in [share, time] {
         assert!(has(chart, "gone"), "{}", chart.id);
     }
-    assert!(has(share, "share of wrong answers (0: lowest marks)"));
-    assert!(has(time, "time a vertex / ns"));
+    assert!(has(share, "wrong answers (%)"));
+    assert!(has(time, "time per vertex (ns)"));
     // Nobody makes fragments, all read three texels of a filter, and so have one curve.
-    assert!(has(
-        work,
-        "plain: filter taps, exact: filter taps, gone: filter taps"
-    ));
-    assert!(has(cost, "× 9.00"));
+    assert!(has(work, "plain, exact, gone") && has(work, "filter taps"));
+    // What each loses at its point.
+    assert!(has(cost, "× 9.0, exact") && has(cost, "× 1.0, off by 0.25"));
+    // At which settings: what all questions have in common, and from where to where the rest goes; or one of them.
+    let titled = |chart: &Drawing, text: &str| {
+        chart.title.ends_with(text)
+            && chart
+                .labels
+                .iter()
+                .any(|label| label.text.starts_with(text))
+    };
+    assert!(
+        titled(error, "light, \"0.25\" … \"256\""),
+        "{}",
+        error.title
+    );
+    assert!(titled(cost, "light, \"0.25\""), "{}", cost.title);
 }
 
 #[test]
@@ -138,21 +195,105 @@ fn curves_that_coincide_are_one_with_all_names() {
 
 #[test]
 fn the_front_drawn_is_the_front_of_the_table() {
+    use ombra_figures::colour::Role;
+    use ombra_figures::drawing::{Item, NORMAL};
+
     let mut report = report();
-    let marked = |report: &Report| {
+    // A ring is drawn in the colour of what is chosen.
+    let rings = |report: &Report| {
         let charts = report.charts(&Style::default()).unwrap();
-        let cost = charts.last().unwrap();
-        let texts = cost.labels.iter().map(|label| label.text.clone());
-        texts
-            .filter(|text| text.starts_with('×'))
-            .collect::<Vec<_>>()
+        let items = charts.last().unwrap().items.iter();
+        let rings = items.filter(|item| {
+            matches!(item, Item::Shape { stroke: Some(pen), .. }
+                if pen.paint == Role::Chosen.into() && pen.width == NORMAL)
+        });
+        rings.count()
     };
-    assert_eq!(marked(&report), ["× 1.00", "× 9.00"]);
+    assert_eq!(rings(&report), 2);
     report.sweeps[0].questions[0].rows[0].on_front = false;
-    assert_eq!(marked(&report), ["× 9.00"]);
+    assert_eq!(rings(&report), 1);
     // That of another question is not drawn.
     report.sweeps[0].questions[1].rows[1].on_front = false;
-    assert_eq!(marked(&report), ["× 9.00"]);
+    assert_eq!(rings(&report), 1);
+}
+
+#[test]
+fn a_curve_that_ends_says_why() {
+    let mut report = report();
+    let texts = |report: &Report| -> Vec<String> {
+        let charts = report.charts(&Style::default()).unwrap();
+        let labels = charts[0].labels.iter().chain(&charts[2].labels);
+        labels.map(|label| label.text.clone()).collect()
+    };
+    let said = |report: &Report, text: &str| texts(report).iter().any(|label| label == text);
+    assert!(!said(&report, "to 0.25: k2 pairs"));
+    // Answers of the third go missing at the second setting only; then it is not asked at all.
+    report.sweeps[0].questions[0].rows[2] = Row {
+        technique: "gone",
+        ..report.sweeps[0].questions[0].rows[0].clone()
+    };
+    assert!(
+        said(&report, "beyond 0.25: no answer"),
+        "{:?}",
+        texts(&report)
+    );
+    report.sweeps[0].questions[1].rows.pop();
+    assert!(said(&report, "to 0.25: k2 pairs"), "{:?}", texts(&report));
+}
+
+#[test]
+fn charts_and_advice_come_back_from_the_table() {
+    let report = report();
+    let table = report.csv();
+    let read = Report::read(&STUDY, &table).unwrap();
+    assert_eq!(read.csv(), table);
+    assert_eq!(
+        read.charts(&Style::default()),
+        report.charts(&Style::default())
+    );
+    assert_eq!(read.advice_markdown(), report.advice_markdown());
+    assert_eq!(read.sweeps[0].questions.len(), 2);
+    // An earlier run's table has the distance of the quartiles alone: half of it on either side.
+    let lines = table
+        .replace(",lower quartile ns", "")
+        .replace(",1.250,plain", ",plain")
+        .replace(",11.250,plain", ",plain")
+        .replace(",0.625,plain", ",plain");
+    let earlier = Report::read(&STUDY, &lines).unwrap();
+    let times = |report: &Report| -> Vec<Quartiles> {
+        report.sweeps[0].rows().map(|row| row.nanoseconds).collect()
+    };
+    assert_eq!(times(&earlier), times(&report));
+}
+
+#[test]
+fn what_is_no_table_is_an_error_that_names_the_line() {
+    let table = report().csv();
+    let lines: Vec<&str> = table.lines().collect();
+    for (text, says) in [
+        (String::new(), "made-up: the table is empty"),
+        ("study,sweep\n".to_owned(), "no column 'technique'"),
+        (
+            format!("{}\nmade-up,sweep\n", lines[0]),
+            "line 2 has 2 cells, the first line 19",
+        ),
+        (
+            table.replacen("made-up,sweep,plain", "other,sweep,plain", 1),
+            "line 2 is of the study 'other'",
+        ),
+        (
+            table.replacen(",1.500,", ",soon,", 1),
+            "line 2 has 'soon' as 'median ns a unit', where a number belongs",
+        ),
+        (
+            table.replacen(",0,0.5,1.500", ",2,0.5,1.500", 1),
+            "line 2 has shares that are none: 2 missing, 0.5 wrong",
+        ),
+        (format!("{table}\""), "within quotation marks"),
+    ] {
+        let error = Report::read(&STUDY, &text).unwrap_err().to_string();
+        assert!(error.contains(says), "{error}");
+    }
 }
 
 #[test]
@@ -160,8 +301,8 @@ fn a_report_without_answers_has_no_charts() {
     let mut report = report();
     report.sweeps[0].questions.clear();
     assert_eq!(report.charts(&Style::default()), Ok(vec![]));
-    report.sweeps[0].charted = 7;
-    assert!(report.charts(&Style::default()).is_ok());
+    report.sweeps.clear();
+    assert_eq!(report.charts(&Style::default()), Ok(vec![]));
     assert_eq!(report.csv().lines().count(), 1);
 }
 
@@ -171,7 +312,7 @@ fn files_are_written_and_named() {
     let _ = fs::remove_dir_all(&folder);
     let report = report();
     let files = report
-        .write(&folder, &Style::default(), Format::ALL)
+        .write(&folder, &Style::default(), Format::ALL, true)
         .unwrap();
     let mut names: Vec<_> = fs::read_dir(&folder)
         .unwrap()
@@ -183,14 +324,19 @@ fn files_are_written_and_named() {
         [
             "advice.md",
             "results.csv",
+            "sweep-cost.pdf",
             "sweep-cost.png",
             "sweep-cost.svg",
+            "sweep-error.pdf",
             "sweep-error.png",
             "sweep-error.svg",
+            "sweep-share.pdf",
             "sweep-share.png",
             "sweep-share.svg",
+            "sweep-time.pdf",
             "sweep-time.png",
             "sweep-time.svg",
+            "sweep-work.pdf",
             "sweep-work.png",
             "sweep-work.svg"
         ]
@@ -207,11 +353,16 @@ fn files_are_written_and_named() {
     assert!(
         fs::read_to_string(folder.join("advice.md"))
             .unwrap()
-            .starts_with("Use plain.\n")
+            .starts_with("| need  | method |")
     );
     // A file where the folder should be: a sentence, and the file is kept.
     let error = report
-        .write(&folder.join("advice.md"), &Style::default(), &[Format::Svg])
+        .write(
+            &folder.join("advice.md"),
+            &Style::default(),
+            &[Format::Svg],
+            false,
+        )
         .unwrap_err();
     assert!(error.to_string().contains("cannot be written"), "{error}");
     assert!(folder.join("advice.md").is_file());

@@ -1,4 +1,5 @@
 use super::*;
+use crate::advice::Advice;
 use crate::deviation::Deviation;
 use crate::report::made_up;
 use crate::study::Question;
@@ -51,13 +52,11 @@ fn sweeps(_: Effort) -> Vec<Sweep> {
             name: "first",
             knob: "n",
             questions: vec![question(4), question(5)],
-            charted: 0,
         },
         Sweep {
             name: "second",
             knob: "n",
             questions: vec![question(6)],
-            charted: 0,
         },
     ]
 }
@@ -69,7 +68,12 @@ const STUDY: Study = Study {
     errors: &[Measure::Largest("error")],
     charted_work: &[],
     sweeps,
-    advice: |measured| format!("{} sweeps.", measured.len()),
+    charts: &[],
+    ends: &[],
+    advice: |measured| Advice {
+        baseline: measured.last().map_or("", |sweep| sweep.name),
+        rows: vec![],
+    },
 };
 
 #[test]
@@ -112,7 +116,7 @@ fn numbers_reach_their_own_rows_and_progress_its_end() {
         rows.iter().map(|row| row.on_front).collect::<Vec<_>>(),
         [true, false].repeat(3)
     );
-    assert_eq!(report.advice, "2 sweeps.");
+    assert_eq!(report.advice.baseline, "second");
     assert_eq!(seen.len(), 1 + 6 + 6 * Effort::Quick.rounds());
     assert_eq!(
         seen.last().map(|p| (p.stage, p.done, p.total)),
@@ -161,7 +165,6 @@ fn answers_that_change_when_counted_are_an_error() {
         name: "",
         knob: "",
         questions: vec![question],
-        charted: 0,
     }];
     let error = judge_error(&sweeps);
     assert_eq!(

@@ -1,23 +1,21 @@
-//! The study's sentence.
+//! The study's advice.
 
-use crate::advice::{Stretch, between, extent, listed, percent, stretches, times};
-use crate::report::{Answered, Measured, Row};
-use crate::visibility::STUDY;
+use crate::advice::{
+    Advice, Choice, Stretch, between, extent, lost, number, percent, stretches, times,
+};
+use crate::report::{Measured, Row};
 
 /// The share of wrong pixels that the advice keeps to, where some may be wrong.
 const TOLERANCE: f64 = 1e-2;
 
-/// What to take where a few pixels may be wrong and where none may, how counted work grows, and what a mere sort costs.
-pub fn advice(sweeps: &[Measured]) -> String {
+/// What to take where a few pixels may be wrong and where none may, and what a mere sort costs.
+pub fn advice(sweeps: &[Measured]) -> Advice {
     let Some(sweep) = sweeps.first() else {
-        return String::new();
+        return Advice::default();
     };
     let baseline = sweep.rows().next().map_or("", |row| row.technique);
-    let few = choices(sweep, TOLERANCE, baseline);
-    let mut said = format!(
-        "For at most {} of wrong pixels use {few}",
-        percent(TOLERANCE)
-    );
+    let need = format!("at most {} of the pixels wrong", percent(TOLERANCE));
+    let mut rows = choices(sweep, TOLERANCE, &need);
     // Who has no pixel wrong at one setting by chance only is not asked.
     let mut exact = sweep.clone();
     for question in &mut exact.questions {
@@ -25,83 +23,65 @@ pub fn advice(sweeps: &[Measured]) -> String {
         question.rows.retain(is_exact);
     }
     if exact.rows().next().is_some() {
-        said = format!(
-            "{said}, where none may be {}",
-            choices(&exact, 0.0, baseline)
-        );
+        rows.extend(choices(&exact, 0.0, "no pixel wrong"));
     }
-    for more in [growth(sweep), sorted(sweep)].into_iter().flatten() {
-        said = format!("{said}; {more}");
-    }
-    said + "."
+    let rest = sweep.techniques().into_iter();
+    let rest = rest.filter(|technique| !rows.iter().any(|row| row.method == *technique));
+    let rest: Vec<Choice> = rest.map(|technique| other(sweep, technique)).collect();
+    rows.extend(rest);
+    Advice { baseline, rows }
 }
 
-/// `object space for 10 to 100 primitives (0.8 to 7.2 times the time of z-buffer) and painter for …`
-fn choices(sweep: &Measured, tolerance: f64, baseline: &str) -> String {
+/// The ranges of primitives over which one technique is the one to take.
+fn choices(sweep: &Measured, tolerance: f64, need: &str) -> Vec<Choice> {
     let choice = |stretch: &Stretch| {
-        let range = stretch.range(|k| k.to_string());
-        let taken = format!("{} for {range} primitives", stretch.name());
-        if stretch.technique.is_none_or(|name| name == baseline) {
-            return taken;
+        let within = |row: &&Row| stretch.from <= row.setting && row.setting <= stretch.to;
+        let technique = stretch.technique.unwrap_or("");
+        let most = extent(sweep.rows_of(technique).filter(within).map(|row| row.error)).1;
+        Choice {
+            need: need.to_owned(),
+            method: stretch.name().to_owned(),
+            setting: format!("{} primitives", stretch.range(number)),
+            cost: stretch
+                .technique
+                .map_or_else(String::new, |_| between(stretch.ratios, times)),
+            loss: stretch.technique.map_or_else(String::new, |_| wrong(most)),
         }
-        let ratio = between(stretch.ratios, times);
-        format!("{taken} ({ratio} times the time of {baseline})")
     };
-    let found: Vec<String> = stretches(sweep, tolerance).iter().map(choice).collect();
-    listed(&found)
+    stretches(sweep, tolerance).iter().map(choice).collect()
 }
 
-/// By how much the counted work of each technique is multiplied, over the settings at which all are measured.
-fn growth(sweep: &Measured) -> Option<String> {
-    let techniques = sweep.techniques();
-    let complete = sweep
-        .questions
-        .iter()
-        .filter(|q| q.rows.len() == techniques.len());
-    let complete: Vec<&Answered> = complete.collect();
-    let [first, .., last] = complete.as_slice() else {
-        return None;
-    };
-    let mut factors = Vec::new();
-    for technique in techniques {
-        let Some(what) = sweep.first_moved(technique, STUDY.charted_work) else {
-            continue;
-        };
-        let count = |question: &Answered| {
-            let row = question
-                .rows
-                .iter()
-                .find(|row| row.technique == technique)?;
-            Some(row.work.get(what) as f64)
-        };
-        let factor = count(last)? / count(first)?;
-        factors.push((
-            factor,
-            format!("{} of {technique} {}", what.name(), times(factor)),
-        ));
+/// A technique that is never the one to take.
+fn other(sweep: &Measured, technique: &'static str) -> Choice {
+    let rows = || sweep.rows_of(technique);
+    let most = extent(rows().map(|row| row.error)).1;
+    Choice {
+        need: match technique {
+            "image space" => "the lecture's count, n·m·k",
+            "sort only" => "an order at once, unproved",
+            _ => "for comparison",
+        }
+        .to_owned(),
+        method: technique.to_owned(),
+        setting: format!(
+            "{} primitives",
+            between(extent(rows().map(|row| row.setting)), number)
+        ),
+        cost: between(extent(rows().map(|row| row.ratio)), times),
+        loss: wrong(most),
     }
-    factors.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let named: Vec<String> = factors.into_iter().map(|(_, named)| named).collect();
-    let [from, to] = [first.rows.first()?.setting, last.rows.first()?.setting];
-    let more = times(to / from);
-    (!named.is_empty()).then(|| {
-        format!(
-            "with {more} times as many, from {from} to {to}, work grows this many times: {}",
-            listed(&named)
-        )
-    })
 }
 
-/// How much a sort without comparisons of pairs gets wrong.
-fn sorted(sweep: &Measured) -> Option<String> {
-    let most = extent(sweep.rows_of("sort only").map(|row| row.error)).1;
-    (most >= 0.0).then(|| format!("sort only leaves up to {} wrong", percent(most)))
+fn wrong(most: f64) -> String {
+    lost(most, |share| {
+        format!("up to {} of the pixels wrong", percent(share))
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::made_up;
+    use crate::report::made_up::{self, lines};
     use ombra_math::work::{Count, Counter, Work};
 
     fn row(technique: &'static str, k: f64, ratio: f64, error: f64, count: (Counter, u64)) -> Row {
@@ -129,33 +109,35 @@ mod tests {
 
     #[test]
     fn choices_and_a_mere_sort() {
-        // Four techniques in all, but never together: no growth can be told.
         let apart = vec![
             at(10.0, 0.0, true),
             at(30.0, 1e-2, true),
             at(100.0, 0.02, false),
         ];
+        let found = advice(&[made_up::sweep("primitives", apart)]);
+        assert_eq!(found.baseline, "z-buffer");
         assert_eq!(
-            advice(&[made_up::sweep("primitives", apart)]),
-            "For at most 1.0 % of wrong pixels use z-buffer for 10 to 30 primitives and painter for 100 primitives \
-             (4.0 times the time of z-buffer), where none may be object space for 10 to 30 primitives (10 to 30 times the time \
-             of z-buffer) and painter for 100 primitives (4.0 times the time of z-buffer); \
-             sort only leaves up to 20 % wrong."
+            lines(&found),
+            [
+                "at most 1.0 % of the pixels wrong | z-buffer | 10 to 30 primitives | 1.0 | up to 1.0 % of the pixels wrong",
+                "at most 1.0 % of the pixels wrong | painter | 100 primitives | 4.0 | nothing",
+                "no pixel wrong | object space | 10 to 30 primitives | 10 to 30 | nothing",
+                "no pixel wrong | painter | 100 primitives | 4.0 | nothing",
+                "an order at once, unproved | sort only | 10 to 30 primitives | 2.0 | up to 20 % of the pixels wrong",
+            ]
         );
-        assert_eq!(advice(&[]), "");
+        assert_eq!(advice(&[]), Advice::default());
     }
 
     #[test]
-    fn growth_and_no_technique() {
+    fn no_technique() {
         let mut bad = at(100.0, 0.02, true);
         bad[1].error = 0.5;
         bad[2].error = 0.5;
-        let together = vec![at(10.0, 0.0, true), at(30.0, 0.0, true), bad];
+        let together = vec![at(10.0, 0.0, true), bad];
         assert_eq!(
-            advice(&[made_up::sweep("primitives", together)]),
-            "For at most 1.0 % of wrong pixels use z-buffer for 10 to 30 primitives and none that is measured here for \
-             100 primitives; with 10 times as many, from 10 to 100, work grows this many times: pairs of object space \
-             110, depth tests of z-buffer 1.0 and fragments of sort only 1.0; sort only leaves up to 50 % wrong."
+            lines(&advice(&[made_up::sweep("primitives", together)]))[1],
+            "at most 1.0 % of the pixels wrong | none that is measured here | 100 primitives |  | "
         );
     }
 }
