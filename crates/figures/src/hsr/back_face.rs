@@ -17,13 +17,14 @@ use crate::marks;
 use crate::object::NamedMesh;
 use crate::path::{Path, Rect};
 use crate::section::Section;
-use crate::sheet::{Label, Sheet};
+use crate::sheet::{Align, Label, Sheet};
 use crate::style::Language;
-use crate::words::{self, words};
+use crate::text::LABEL;
+use crate::words::{Word, words};
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/back-face",
-    takes: Takes::These(&[OBJECT.input]),
+    takes: Takes::These(&[EYE.input, POLYGON.input, OBJECT.input]),
     words: WORDS,
     about: |_, language| About::new(language, SUMMARY, CAPTION),
     drawn: |sheet, inputs| draw(sheet, &Solid::new(inputs)?),
@@ -44,6 +45,30 @@ words! {
         hr: "**n** gleda iz tijela, **v** od stranice prema oku. Uz **n**·**v** < 0 stranica je okrenuta od oka i sigurno se ne vidi.",
     }
 
+    /// An input.
+    EYE_OF {
+        en: "the eye, in the plane of the section",
+        it: "l’osservatore, nel piano della sezione",
+        cs: "pozorovatel v rovině řezu",
+        hr: "oko u ravnini presjeka",
+    }
+
+    /// An input.
+    POLYGON_OF {
+        en: "the prism across its faces, corner by corner",
+        it: "la sezione del prisma, vertice per vertice",
+        cs: "řez hranolem, vrchol po vrcholu",
+        hr: "presjek prizme, vrh po vrh",
+    }
+
+    /// An input.
+    OBJECT_OF {
+        en: "an object cut across, instead of the prism and at its size",
+        it: "un oggetto in sezione, al posto del prisma e grande come esso",
+        cs: "těleso v řezu místo hranolu, stejně velké",
+        hr: "presječen objekt umjesto prizme, iste veličine",
+    }
+
     /// What becomes of a face that may be seen.
     KEPT {
         en: "kept",
@@ -61,20 +86,32 @@ words! {
     }
 }
 
+/// The eye; that of an object stands to it as it would to the prism.
+const EYE: Ask<DVec2> = Ask::point("eye", "", EYE_OF, [-9.0, 1.0], [[-30.0; 2], [30.0; 2]]);
+/// A prism across its faces, either way round.
+const POLYGON: Ask<Vec<DVec2>> = Ask::polygon(
+    "polygon",
+    "",
+    POLYGON_OF,
+    &PRISM,
+    [3, 12],
+    [[-10.0; 2], [10.0; 2]],
+);
 /// An object instead of the prism.
-const OBJECT: Ask<Arc<NamedMesh>> = Ask::object("mesh", "", words::OBJECT, "prism");
+const OBJECT: Ask<Arc<NamedMesh>> = Ask::object("mesh", "", OBJECT_OF, "prism");
 
-/// A prism across its faces, counter-clockwise.
-const PRISM: [(f64, f64); 6] = [
-    (-3.0, -1.0),
-    (0.0, -3.0),
-    (3.0, -2.0),
-    (4.0, 1.0),
-    (1.0, 3.0),
-    (-2.0, 2.0),
+/// The lecture's prism, the middle of its box and half the diagonal of it.
+const PRISM: [[f64; 2]; 6] = [
+    [-3.0, -1.0],
+    [0.0, -3.0],
+    [3.0, -2.0],
+    [4.0, 1.0],
+    [1.0, 3.0],
+    [-2.0, 2.0],
 ];
-/// From the middle of the solid to the eye, and the length of arrows, in half diagonals of its box.
-const TO_EYE: DVec2 = DVec2::new(-2.06, 0.22);
+const MIDDLE: DVec2 = DVec2::new(0.5, 0.0);
+const RADIUS: f64 = 4.609_772_228_646_444;
+/// The length of arrows, in half diagonals of the solid's box.
 const ARROW: f64 = 0.33;
 /// Arrows begin farther apart than this, in lengths of an arrow.
 const APART: f64 = 1.1;
@@ -97,26 +134,51 @@ impl Solid {
     fn new(inputs: &Inputs) -> Result<Solid, FigureError> {
         let own = inputs.has(&OBJECT);
         let object = inputs.get(&OBJECT);
-        let (chains, name) = if own {
-            (of_mesh(&object.mesh), object.name.as_str())
+        let chains = if own {
+            of_mesh(&object.mesh)
         } else {
-            (vec![of_prism(&PRISM.map(DVec2::from))], "the prism")
+            let corners = outline::simple(&inputs.get(&POLYGON)).ok_or_else(|| FigureError::Scene {
+                reason: format!(
+                    "polygon: {} has to be cut into a closed outline without crossings; this one's sides cross, touch or bound no area",
+                    FIGURE.id
+                ),
+            })?;
+            vec![of_prism(&corners)]
         };
         let Some(bounds) = bounds(&chains) else {
             return Err(FigureError::Scene {
                 reason: format!(
-                    "--mesh {name}: no face of it crosses the planes through the middle of its box along which {} cuts it",
-                    FIGURE.id
+                    "--mesh {}: no face of it crosses the planes through the middle of its box along which {} cuts it",
+                    object.name, FIGURE.id
                 ),
             });
         };
         let radius = 0.5 * bounds.size().length();
+        let mut eye = inputs.get(&EYE);
+        if own {
+            eye = bounds.centre() + (eye - MIDDLE) * (radius / RADIUS);
+        }
         Ok(Solid {
             chains,
-            eye: bounds.centre() + radius * TO_EYE,
+            eye,
             arrow: ARROW * radius,
             has_few: !own,
         })
+    }
+
+    /// Whether the eye is in it.
+    fn is_inside(&self) -> bool {
+        let right_of_it = |face: &&Face| {
+            let [a, b] = face.ends;
+            let eye = self.eye;
+            (a.y > eye.y) != (b.y > eye.y) && {
+                let x = a.x + (b.x - a.x) * ((eye.y - a.y) / (b.y - a.y));
+                x > eye.x
+            }
+        };
+        let closed = self.chains.iter().filter(|chain| chain.closed);
+        let crossed = closed.flat_map(|chain| &chain.faces).filter(right_of_it);
+        crossed.count() % 2 == 1
     }
 
     fn faces(&self) -> impl Iterator<Item = &Face> {
@@ -126,6 +188,12 @@ impl Solid {
     /// From a face towards the eye.
     fn view(&self, face: &Face) -> DVec2 {
         self.eye - face.middle()
+    }
+
+    /// The tips of a face's arrows: its normal, and towards the eye.
+    fn tips(&self, face: &Face) -> [DVec2; 2] {
+        let tip = |v: DVec2| face.middle() + self.arrow * v.normalize_or_zero();
+        [face.normal, self.view(face)].map(tip)
     }
 
     fn is_kept(&self, face: &Face) -> bool {
@@ -199,27 +267,102 @@ impl Solid {
     }
 }
 
-fn draw(sheet: &mut Sheet, solid: &Solid) -> Result<(), FigureError> {
-    // On the right a label below the tip of a normal juts out by half its width.
-    let language = sheet.style().language;
-    let mut widest = 0.0_f64;
-    for kept in [true, false] {
-        let label = verdict(DVec2::ZERO, kept, language);
-        widest = widest.max(sheet.lay_out(&label.markup, label.size)?.width);
+/// Texts beside arrows, on the side they point to; what would meet another goes where there is room.
+struct Texts {
+    boxes: Vec<Rect>,
+    frame: Rect,
+}
+
+impl Texts {
+    /// What a text beyond `tip` covers: it begins there and lies in front of the line across `along`.
+    fn place(sheet: &Sheet, tip: DVec2, along: DVec2, markup: &str) -> Result<Rect, FigureError> {
+        let line = sheet.lay_out(markup, LABEL)?;
+        let half = DVec2::new(0.5 * line.width, 0.5 * (line.ascent + line.descent));
+        let along = along.normalize_or_zero();
+        let aside = (along * STEEP).clamp(DVec2::NEG_ONE, DVec2::ONE);
+        let centre = tip + along * OFF + aside * half;
+        Ok(Rect::new(centre - half, centre + half))
     }
-    let frame = sheet.frame();
-    let room = Rect::new(
-        frame.min + DVec2::new(30.0, 60.0),
-        frame.max - DVec2::new(0.5 * widest + 20.0, 60.0),
-    );
-    let shown = solid.shown();
-    let tips = |face: &Face| {
-        [face.normal, solid.view(face)].map(|v| face.middle() + solid.arrow * v.normalize_or_zero())
-    };
+
+    fn put(&mut self, sheet: &mut Sheet, label: Label) -> Result<(), FigureError> {
+        let place = Texts::place(sheet, label.anchor, label.towards, &label.markup)?;
+        let is_free = self.boxes.iter().all(|other| !other.meets(&place));
+        if is_free && self.frame.grown(HAIR).contains(&place) {
+            let bounds = sheet.text(
+                place.centre(),
+                Align::Centre,
+                &label.markup,
+                LABEL,
+                label.ink,
+            )?;
+            self.boxes.push(bounds.grown(6.0));
+        } else {
+            sheet.label(Label {
+                may_lead: true,
+                ..label
+            });
+        }
+        Ok(())
+    }
+}
+
+/// A text's nearest corner keeps this far off the tip; the middle of its side is there where an arrow is steeper than
+/// one in so many.
+const OFF: f64 = 8.0;
+const STEEP: f64 = 2.5;
+/// What a text may reach into the margin: nothing on the canvas.
+const HAIR: f64 = 0.01;
+/// Room for the mark of the eye, and how far rays keep off it.
+const AROUND_EYE: f64 = 30.0;
+const RIM: f64 = 38.0;
+
+/// The section as large as it fits with what is said beyond its normals.
+fn fitted(sheet: &Sheet, solid: &Solid, said: &[(&Face, String)]) -> Result<Section, FigureError> {
     let mut points = vec![solid.eye];
     points.extend(solid.faces().flat_map(|face| face.ends));
-    points.extend(shown.iter().flat_map(|face| tips(face)));
-    let section = Section::fit(&points, room)?;
+    points.extend(said.iter().flat_map(|(face, _)| solid.tips(face)));
+    let frame = sheet.frame();
+    let mut room = frame.grown(-AROUND_EYE);
+    let mut section = Section::fit(&points, room)?;
+    // What is written keeps its size while the rest shrinks, so that a few rounds find a balance.
+    for _ in 0..16 {
+        let (mut low, mut high) = (DVec2::ZERO, DVec2::ZERO);
+        for (face, words) in said.iter().filter(|(_, words)| !words.is_empty()) {
+            let [normal, _] = solid.tips(face).map(|p| section.at(p));
+            let along = normal - section.at(face.middle());
+            let place = Texts::place(sheet, normal, along, words)?;
+            low = low.max(frame.min - place.min);
+            high = high.max(place.max - frame.max);
+        }
+        if low.max(high).max_element() <= HAIR {
+            break;
+        }
+        let smaller = Rect::new(room.min + low, room.max - high);
+        if !smaller.size().cmpgt(frame.size() * 0.25).all() {
+            break;
+        }
+        room = smaller;
+        section = Section::fit(&points, room)?;
+    }
+    Ok(section)
+}
+
+fn draw(sheet: &mut Sheet, solid: &Solid) -> Result<(), FigureError> {
+    let language = sheet.style().language;
+    let shown = solid.shown();
+    let examples = [true, false].map(|kept| example(solid, &shown, kept));
+    let said = |face: &Face| {
+        let kept = solid.is_kept(face);
+        if examples.contains(&Some(face)) {
+            verdict(kept, language)
+        } else if solid.has_few {
+            word(kept).text(language).to_owned()
+        } else {
+            String::new()
+        }
+    };
+    let said: Vec<(&Face, String)> = shown.iter().map(|&face| (face, said(face))).collect();
+    let section = fitted(sheet, solid, &said)?;
 
     let mut inside = Path::new();
     for chain in solid.chains.iter().filter(|chain| chain.closed) {
@@ -229,12 +372,26 @@ fn draw(sheet: &mut Sheet, solid: &Solid) -> Result<(), FigureError> {
     let tint = Ink::of(Role::Occluder).tint(0.16);
     sheet.shape(inside, Some((tint.into(), FillRule::EvenOdd)), None);
 
-    // Sight lines that graze it.
-    let eye = section.at(solid.eye);
-    for corner in solid.silhouette().map(|p| section.at(p)) {
-        let along = (corner - eye).normalize_or_zero();
-        marks::ray(sheet, eye + along * 38.0, corner);
+    // Until the faces are told apart they look alike.
+    for step in 1..LAST {
+        sheet.step_alone(step);
+        for face in solid.faces() {
+            let [a, b] = face.ends.map(|p| section.at(p));
+            sheet.line(a, b, Pen::new(Role::Occluder, NORMAL));
+        }
     }
+    let eye = section.at(solid.eye);
+    sheet.step(2);
+    if !solid.is_inside() {
+        // Sight lines that graze it.
+        for corner in solid.silhouette().map(|p| section.at(p)) {
+            let along = (corner - eye).normalize_or_zero();
+            if corner.distance(eye) > RIM {
+                marks::ray(sheet, eye + along * RIM, corner);
+            }
+        }
+    }
+    sheet.step(LAST);
     for (kept, points) in solid.stretches() {
         let pen = if kept {
             Pen::new(Role::Chosen, EMPHASIS)
@@ -244,23 +401,41 @@ fn draw(sheet: &mut Sheet, solid: &Solid) -> Result<(), FigureError> {
         let points: Vec<DVec2> = points.into_iter().map(|p| section.at(p)).collect();
         sheet.stroke(Path::polyline(&points), pen);
     }
-    let examples = [true, false].map(|kept| example(solid, &shown, kept));
-    for &face in &shown {
+    let mut texts = Texts {
+        boxes: vec![Rect::new(eye, eye).grown(AROUND_EYE)],
+        frame: sheet.frame(),
+    };
+    for (face, words) in said {
         let at = section.at(face.middle());
-        let [normal, view] = tips(face).map(|p| section.at(p));
+        let [normal, view] = solid.tips(face).map(|p| section.at(p));
+        sheet.step(2);
         marks::arrow(sheet, at, view, Role::Ray, NORMAL);
+        sheet.step(1);
         marks::normal(sheet, at, normal);
-        let is_example = examples.contains(&Some(face));
-        if is_example {
-            draw_angle(sheet, at, [normal, view], solid.is_kept(face));
+        let kept = solid.is_kept(face);
+        sheet.step(LAST);
+        if !words.is_empty() {
+            let ink = if kept { Role::Chosen } else { Role::Note };
+            let label = Label::new(normal, words).towards(normal - at).ink(ink);
+            texts.put(sheet, label.beside())?;
         }
-        if is_example || solid.has_few {
-            let label = verdict(normal, solid.is_kept(face), language);
-            sheet.label(label.towards(normal - at).beside());
+        if examples.contains(&Some(face)) {
+            draw_angle(sheet, &mut texts, at, [normal, view], kept)?;
         }
     }
-    marks::eye(sheet, eye, DVec2::X);
+    sheet.step(2);
+    let middle = looked_at(solid);
+    marks::eye(sheet, eye, section.at(middle) - eye);
+    sheet.whole();
     Ok(())
+}
+
+/// The last step: the faces are told apart.
+const LAST: usize = 3;
+
+/// What the eye looks at.
+fn looked_at(solid: &Solid) -> DVec2 {
+    bounds(&solid.chains).map_or(solid.eye, |bounds| bounds.centre())
 }
 
 /// Of the faces kept, or of those culled, the one whose angle is nearest to 60°, or to 120°; of faces much alike the
@@ -274,19 +449,25 @@ fn example<'a>(solid: &Solid, shown: &[&'a Face], kept: bool) -> Option<&'a Face
     faces.copied().min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
-/// What becomes of a face, at the tip of its normal.
-fn verdict(tip: DVec2, kept: bool, language: Language) -> Label {
-    let (sign, word, ink) = if kept {
-        ("≥", KEPT, Role::Chosen)
-    } else {
-        ("<", CULLED, Role::Note)
-    };
-    let words = format!("**n**·**v** {sign} 0: {}", word.text(language));
-    Label::new(tip, words).ink(ink)
+/// What becomes of a face.
+fn word(kept: bool) -> Word {
+    if kept { KEPT } else { CULLED }
+}
+
+/// What becomes of a face, and why.
+fn verdict(kept: bool, language: Language) -> String {
+    let sign = if kept { "≥" } else { "<" };
+    format!("**n**·**v** {sign} 0: {}", word(kept).text(language))
 }
 
 /// The angle between the normal and the vector to the eye, all three with their names.
-fn draw_angle(sheet: &mut Sheet, at: DVec2, [normal, view]: [DVec2; 2], kept: bool) {
+fn draw_angle(
+    sheet: &mut Sheet,
+    texts: &mut Texts,
+    at: DVec2,
+    [normal, view]: [DVec2; 2],
+    kept: bool,
+) -> Result<(), FigureError> {
     let [n, v] = [normal - at, view - at];
     let radius = ARC * n.length();
     let cosine = n.normalize_or_zero().dot(v.normalize_or_zero());
@@ -296,15 +477,32 @@ fn draw_angle(sheet: &mut Sheet, at: DVec2, [normal, view]: [DVec2; 2], kept: bo
         let arc: Vec<DVec2> = (0..=24).map(|i| at + radius * along(i)).collect();
         sheet.stroke(Path::polyline(&arc), Pen::new(Role::Note, THIN));
         let angle = if kept { "*θ* ≤ 90°" } else { "*θ* > 90°" };
-        let label = Label::new(at + radius * along(12), angle);
-        sheet.label(label.towards(along(12)).reach(2.0).beside());
+        let label = Label::new(at + radius * along(12), angle).towards(along(12));
+        texts.put(sheet, label.reach(2.0).beside())?;
     }
-    for (tip, name, ink) in [(normal, "**n**", Role::Normal), (view, "**v**", Role::Ray)] {
-        // On the side that the arc leaves free.
-        let other = if ink == Role::Normal { v } else { n };
-        let label = Label::new(at.lerp(tip, 0.75), name).towards((tip - at) * 0.3 - other);
-        sheet.label(label.ink(ink).beside());
+    // Each on the side that the arc leaves free, that of the vector to the eye at its tip, off the face.
+    for (step, arrow, other, share, name, ink) in [
+        (1, n, v, 0.7, "**n**", Role::Normal),
+        (2, v, n, 1.0, "**v**", Role::Ray),
+    ] {
+        sheet.step(step);
+        let along = arrow.normalize_or_zero();
+        let across = along.perp();
+        let away = if across.dot(other) > 0.0 {
+            -across
+        } else {
+            across
+        };
+        let towards = if share < 1.0 {
+            away
+        } else {
+            along + 0.4 * away
+        };
+        let label = Label::new(at + share * arrow, name).towards(towards);
+        texts.put(sheet, label.ink(ink).beside())?;
     }
+    sheet.step(LAST);
+    Ok(())
 }
 
 #[cfg(test)]
@@ -340,7 +538,7 @@ mod tests {
 
     /// The sides of the prism itself, two triangles each, in the order of its faces.
     fn sides() -> Mesh {
-        let level = |z: f64| PRISM.map(|(x, y)| DVec3::new(x, y, z));
+        let level = |z: f64| PRISM.map(|[x, y]| DVec3::new(x, y, z));
         let n = PRISM.len() as u32;
         let triangles = (0..n).flat_map(|i| {
             let (j, up) = ((i + 1) % n, n);
@@ -405,6 +603,84 @@ mod tests {
             assert!((unit(side.normal) - unit(face.normal)).length() < 1e-15);
             // The solid on the left.
             assert!((b - a).perp_dot(face.normal) < 0.0);
+        }
+    }
+
+    #[test]
+    fn a_polygon_that_bounds_no_area_is_refused_and_its_direction_does_not_matter() {
+        let of = |text: &str| Solid::new(&Inputs::default().with(&POLYGON.input, text).unwrap());
+        for text in [
+            "0,0 4,0 0,4 4,4",
+            "0,0 4,0 8,0",
+            "1,1 1,1 1,1",
+            "0,0 4,0 4,4 4,2 4,6",
+            "0,0 4,0 2,0 2,3",
+        ] {
+            let error = of(text).err().map(|error| error.to_string());
+            assert!(
+                error.is_some_and(|error| error.contains("polygon")),
+                "{text}"
+            );
+        }
+        // From the left of a square the eye sees its left side.
+        for text in ["0,-2 4,-2 4,2 0,2", "0,2 4,2 4,-2 0,-2"] {
+            let solid = of(text).unwrap();
+            let kept: Vec<&Face> = solid.faces().filter(|face| solid.is_kept(face)).collect();
+            assert_eq!(kept.len(), 1, "{text}");
+            assert_eq!(kept[0].middle(), DVec2::ZERO, "{text}");
+        }
+    }
+
+    /// From inside every face is turned away, and no sight line grazes any.
+    #[test]
+    fn an_eye_inside_sees_no_face() {
+        let inputs = Inputs::default().with(&EYE.input, "0,0").unwrap();
+        let solid = Solid::new(&inputs).unwrap();
+        assert!(solid.is_inside() && solid.faces().all(|face| !solid.is_kept(face)));
+        let drawing = drawn(|sheet| draw(sheet, &solid));
+        assert!(
+            !drawing
+                .labels
+                .iter()
+                .any(|label| label.text.contains("kept"))
+        );
+    }
+
+    /// A verdict stands wholly outside the convex prism, in every language.
+    #[test]
+    fn what_becomes_of_a_face_is_said_outside_the_solid() {
+        for &language in Language::ALL {
+            for (width, height) in [(1920, 1080), (1024, 768)] {
+                let style = crate::style::Style {
+                    language,
+                    size: crate::style::Size::new(width, height).unwrap(),
+                    ..crate::style::Style::default()
+                };
+                let drawing = FIGURE.draw(&style, &Inputs::default()).unwrap();
+                // The solid is the only area with its tint.
+                let tint = Ink::of(Role::Occluder).tint(0.16);
+                let areas = super::super::drawn::fills(&drawing);
+                let area = areas.iter().find(|(ink, _)| *ink == tint).unwrap().1;
+                let corners: Vec<DVec2> = area.points().collect();
+                let words = [KEPT, CULLED].map(|word| word.text(language));
+                let said = |text: &str| words.iter().any(|word| text.ends_with(word));
+                let mut count = 0;
+                for label in drawing.labels.iter().filter(|label| said(&label.text)) {
+                    count += 1;
+                    let Rect { min, max } = label.bounds;
+                    let of_label = [min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)];
+                    let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+                    let mut sides =
+                        ends.map(|(&a, &b)| of_label.map(|p| (b - a).perp_dot(p - a) > 0.0));
+                    // y points down: the solid is on the right of its sides.
+                    assert!(
+                        sides.any(|outside| outside == [true; 4]),
+                        "{language} {}",
+                        label.text
+                    );
+                }
+                assert_eq!(count, 6, "{language} {width}");
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Three sticks, each over the next: no order, until one of them is cut.
 
 use ombra_hsr::object_space::visible_parts;
-use ombra_hsr::painter::{order, order_by_cutting};
+use ombra_hsr::painter::{Cycle, hiding_pairs, order, order_by_cutting};
 use ombra_hsr::polygon::Polygon;
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 
@@ -10,6 +10,7 @@ use crate::colour::{Ink, Role};
 use crate::drawing::{EMPHASIS, NORMAL, Pen};
 use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
+use crate::input::{Ask, Inputs};
 use crate::panels::panels;
 use crate::path::{Path, Rect};
 use crate::section::Section;
@@ -19,10 +20,13 @@ use crate::words::words;
 
 pub(super) const FIGURE: Figure = Figure {
     id: "hsr/painter-cycle",
-    takes: Takes::Nothing(crate::words::FIXED),
+    takes: Takes::These(&[SLOPE.input, HEIGHT.input, CUT_STICK.input]),
     words: WORDS,
-    about: |_, language| About::new(language, SUMMARY, CAPTION),
-    drawn: |sheet, _| draw(sheet, &sticks(SLOPE)),
+    about: |inputs, language| match order(&sticks(inputs), EYE) {
+        Ok(_) => About::new(language, SUMMARY_ORDER, CAPTION_ORDER),
+        Err(_) => About::new(language, SUMMARY, CAPTION),
+    },
+    drawn: |sheet, inputs| draw(sheet, &sticks(inputs), wanted(inputs)),
 };
 
 words! {
@@ -38,6 +42,54 @@ words! {
         it: "La prima dipinta non copre nulla, eppure ognuna deve coprirne una. Una si taglia con il piano di un’altra, e i suoi due pezzi trovano posto.",
         cs: "Tyč namalovaná jako první nezakryje nic, a přece má každá jednu zakrýt. Jedna se rozřízne rovinou jiné a její dva díly najdou své místo.",
         hr: "Štap naslikan prvi ne zaklanja ništa, a svaki mora zakloniti jedan. Jedan se reže ravninom drugoga i njegova dva dijela nađu svoje mjesto.",
+    }
+
+    /// Where they have an order.
+    SUMMARY_ORDER {
+        en: "Three sticks that lie over each other, in the order in which they are painted",
+        it: "Tre aste una sopra l’altra, nell’ordine in cui si dipingono",
+        cs: "Tři tyče přes sebe, v pořadí, v němž se malují",
+        hr: "Tri štapa jedan preko drugoga, redom kojim se slikaju",
+    }
+
+    /// Where they have an order.
+    CAPTION_ORDER {
+        en: "There is no ring: each can be painted after all that it hides, and none need be cut.",
+        it: "Non c’è un ciclo: ognuna si può dipingere dopo tutte quelle che oscura, e nessuna va tagliata.",
+        cs: "Není tu kruh: každou lze namalovat po všech, které zakrývá, a žádnou není třeba rozříznout.",
+        hr: "Nema kruga: svaki se može naslikati nakon svih koje zaklanja i nijedan ne treba rezati.",
+    }
+
+    /// Before the numbers of the sticks in order.
+    NO_RING {
+        en: "no ring; order",
+        it: "nessun ciclo; ordine",
+        cs: "žádný kruh; pořadí",
+        hr: "nema kruga; poredak",
+    }
+
+    /// An input.
+    SLOPE_OF {
+        en: "how steeply each stick rises on its way round",
+        it: "quanto sale ogni asta lungo il giro",
+        cs: "jak strmě každá tyč stoupá v oběhu",
+        hr: "koliko se strmo svaki štap diže u krugu",
+    }
+
+    /// An input.
+    HEIGHT_OF {
+        en: "how far *A* is raised towards the eye",
+        it: "di quanto *A* è alzata verso l’osservatore",
+        cs: "o kolik je *A* zdvižena k pozorovateli",
+        hr: "koliko je *A* podignut prema oku",
+    }
+
+    /// An input.
+    CUT_OF {
+        en: "the stick that is cut",
+        it: "l’asta che si taglia",
+        cs: "tyč, která se rozřízne",
+        hr: "štap koji se reže",
     }
 
     /// One stick hides part of another.
@@ -59,17 +111,21 @@ words! {
 
 /// A parallel view from above.
 const EYE: DVec4 = DVec4::Z;
-/// Half the length and width of a stick, how far its middle is from the centre, and how steeply it rises.
+/// How steeply the sticks rise, how far the first is raised, and which is cut.
+const SLOPE: Ask<f64> = Ask::number("slope", "", SLOPE_OF, 0.4, [-1.0, 1.0]);
+const HEIGHT: Ask<f64> = Ask::number("height", "", HEIGHT_OF, 0.0, [-3.0, 3.0]);
+const CUT_STICK: Ask<&str> = Ask::choice("cut", "", CUT_OF, "a", &["a", "b", "c"]);
+/// Half the length and width of a stick, and how far its middle is from the centre.
 const HALF: DVec2 = DVec2::new(2.6, 0.34);
 const AWAY: f64 = 1.0;
-const SLOPE: f64 = 0.4;
 /// Directions of the sticks, thirds of a turn apart.
 const DIRECTIONS: [(f64, f64); 3] = [(1.0, 0.0), (-0.5, SIN_120), (-0.5, -SIN_120)];
 const SIN_120: f64 = 0.866_025_403_784_438_6;
 
-/// Three sticks that rise by `slope` on their way round.
-fn sticks(slope: f64) -> [Polygon; 3] {
-    DIRECTIONS.map(|direction| {
+/// Three sticks that rise on their way round, the first of them raised.
+fn sticks(inputs: &Inputs) -> [Polygon; 3] {
+    let slope = inputs.get(&SLOPE);
+    let mut sticks = DIRECTIONS.map(|direction| {
         let along = DVec2::from(direction);
         let across = along.perp();
         let corner = |x: f64, y: f64| {
@@ -80,40 +136,92 @@ fn sticks(slope: f64) -> [Polygon; 3] {
         Polygon {
             vertices: corners.map(|(x, y)| corner(x, y)).to_vec(),
         }
-    })
+    });
+    let [a, ..] = &mut sticks;
+    for p in &mut a.vertices {
+        p.z += inputs.get(&HEIGHT);
+    }
+    sticks
 }
 
-fn draw(sheet: &mut Sheet, sticks: &[Polygon; 3]) -> Result<(), FigureError> {
-    let language = sheet.style().language;
-    let Err(cycle) = order(sticks, EYE) else {
-        return Err(FigureError::Scene {
-            reason: "the sticks have an order".to_owned(),
-        });
+/// The stick to cut.
+fn wanted(inputs: &Inputs) -> usize {
+    match inputs.get(&CUT_STICK) {
+        "b" => 1,
+        "c" => 2,
+        _ => 0,
+    }
+}
+
+/// How many pieces there are of a stick.
+fn count(pieces: &[(usize, Polygon)], stick: usize) -> usize {
+    pieces.iter().filter(|(of, _)| *of == stick).count()
+}
+
+/// The pieces back to front, with `wanted` cut if any must be. Which one of a ring is cut depends on the order in which
+/// they are submitted.
+fn pieces(sticks: &[Polygon; 3], wanted: usize) -> Option<Vec<(usize, Polygon)>> {
+    let submitted = [
+        [0, 1, 2],
+        [1, 2, 0],
+        [2, 0, 1],
+        [0, 2, 1],
+        [2, 1, 0],
+        [1, 0, 2],
+    ];
+    let mut cut = submitted.into_iter().map(|order| {
+        let given: Vec<Polygon> = order
+            .iter()
+            .filter_map(|&i| sticks.get(i).cloned())
+            .collect();
+        let pieces = order_by_cutting(&given, EYE);
+        let named = |(i, piece): (usize, Polygon)| Some((*order.get(i)?, piece));
+        pieces.into_iter().filter_map(named).collect::<Vec<_>>()
+    });
+    let is_wanted = |pieces: &Vec<(usize, Polygon)>| {
+        (0..sticks.len()).all(|i| (count(pieces, i) > 1) == (i == wanted))
     };
-    let pieces = order_by_cutting(sticks, EYE);
+    cut.find(is_wanted)
+}
+
+fn draw(sheet: &mut Sheet, sticks: &[Polygon; 3], wanted: usize) -> Result<(), FigureError> {
+    let language = sheet.style().language;
+    let cycle = order(sticks, EYE).err();
+    let pieces = match &cycle {
+        None => order_by_cutting(sticks, EYE),
+        Some(_) => pieces(sticks, wanted).ok_or_else(|| FigureError::Scene {
+            reason: format!(
+                "cut = {}: no cut of this stick alone leaves an order of these sticks",
+                ["a", "b", "c"].get(wanted).unwrap_or(&"")
+            ),
+        })?,
+    };
 
     let name = |i: &usize| PRIMITIVES.get(*i).map_or("", |&(name, _)| name);
-    let ring = &cycle.primitives;
+    let hiding: Vec<[usize; 2]> = match &cycle {
+        None => hiding_pairs(sticks, EYE),
+        Some(Cycle { primitives: ring }) => {
+            let next = ring.iter().cycle().skip(1);
+            ring.iter().zip(next).map(|(&a, &b)| [a, b]).collect()
+        }
+    };
     let verb = HIDES.text(language);
-    let hides: Vec<String> = ring
+    let hides: Vec<String> = hiding
         .iter()
-        .zip(ring.iter().cycle().skip(1))
-        .map(|(a, b)| format!("{}\u{a0}{verb}\u{a0}{}", name(a), name(b)))
+        .map(|[a, b]| format!("{}\u{a0}{verb}\u{a0}{}", name(a), name(b)))
         .collect();
-    let cut = (0..sticks.len()).filter(|i| pieces.iter().filter(|(of, _)| of == i).count() > 1);
-    let cut: Vec<&str> = cut.map(|i| name(&i)).collect();
     let numbers: Vec<String> = (1..=pieces.len()).map(|i| i.to_string()).collect();
-    let after = format!(
-        "{} {}: {}",
-        cut.join(", "),
-        CUT.text(language),
-        numbers.join(", ")
-    );
+    let what = match &cycle {
+        None => NO_RING.text(language).to_owned(),
+        Some(_) => format!("{} {}", name(&wanted), CUT.text(language)),
+    };
+    let after = format!("{what}: {}", numbers.join(", "));
     let lines = [&*hides.join(", "), &*after];
     let [before, after] = panels(sheet, &lines, 1.1)?[..] else {
         return Ok(());
     };
-    for (panel, is_cut) in [(before, false), (after, true)] {
+    for (i, (panel, is_cut)) in [(before, false), (after, true)].into_iter().enumerate() {
+        sheet.panel(i, panel);
         let room = Rect::new(panel.min + 30.0, panel.max - 30.0);
         let corners: Vec<DVec2> = sticks
             .iter()
@@ -165,8 +273,8 @@ fn paint(
     }
 }
 
-/// Cutting rounds coordinates, which are below 4, to a few ε of them.
-const ROUNDING: f64 = 64.0 * f64::EPSILON * 4.0;
+/// Cutting rounds coordinates, which are below 8, to a few ε of them.
+const ROUNDING: f64 = 64.0 * f64::EPSILON * 8.0;
 
 /// Whether a−b lies on a side of the polygon: cuts do not.
 fn is_side(polygon: &Polygon, a: DVec3, b: DVec3) -> bool {
@@ -214,24 +322,63 @@ mod tests {
             .any(|text| text == line)
     }
 
+    fn moved(typed: &[(&crate::input::Input, &str)]) -> [Polygon; 3] {
+        let with = |inputs: Inputs, (input, text): &(&crate::input::Input, &str)| {
+            inputs.with(input, text).unwrap()
+        };
+        sticks(&typed.iter().fold(Inputs::default(), with))
+    }
+
+    fn usual() -> [Polygon; 3] {
+        moved(&[])
+    }
+
+    /// Any of the three opens the ring; the pieces of all hide nothing that is painted later.
+    #[test]
+    fn each_stick_can_be_the_one_that_is_cut() {
+        for slope in ["0.4", "-0.4", "1"] {
+            let sticks = moved(&[(&SLOPE.input, slope)]);
+            for wanted in 0..3 {
+                let pieces = pieces(&sticks, wanted).unwrap();
+                assert_eq!(pieces.len(), 4, "{slope} {wanted}");
+                assert_eq!(count(&pieces, wanted), 2, "{slope} {wanted}");
+                let polygons: Vec<Polygon> = pieces.into_iter().map(|(_, piece)| piece).collect();
+                let hiding = hiding_pairs(&polygons, EYE);
+                assert!(
+                    hiding.iter().all(|[over, under]| under < over),
+                    "{slope} {wanted}"
+                );
+            }
+        }
+    }
+
     #[test]
     fn the_words_name_the_ring_and_the_stick_that_is_cut() {
-        let usual = drawn(|sheet| draw(sheet, &sticks(SLOPE)));
+        let usual = drawn(|sheet| draw(sheet, &usual(), 0));
         assert!(says(&usual, "A hides B, B hides C, C hides A"));
         assert!(says(&usual, "A is cut in two; order: 1, 2, 3, 4"));
         // The sticks tilted the other way: the ring turns round.
-        let turned = drawn(|sheet| draw(sheet, &sticks(-SLOPE)));
+        let turned_sticks = moved(&[(&SLOPE.input, "-0.4")]);
+        let turned = drawn(|sheet| draw(sheet, &turned_sticks, 0));
         assert!(says(&turned, "A hides C, C hides B, B hides A"));
         assert_ne!(shapes(&usual), shapes(&turned));
-        // Level sticks touch; one after the other is an order, and no figure.
-        let mut sheet = Sheet::new(&crate::style::Style::default(), "").unwrap();
-        assert!(draw(&mut sheet, &sticks(0.0)).is_err());
+        // Of level sticks the one submitted first hides the other; raised, A hides both others: there is an order.
+        let level = moved(&[(&SLOPE.input, "0")]);
+        assert!(says(
+            &drawn(|sheet| draw(sheet, &level, 0)),
+            "A hides B, A hides C, B hides C"
+        ));
+        let raised = moved(&[(&HEIGHT.input, "3")]);
+        let drawing = drawn(|sheet| draw(sheet, &raised, 0));
+        assert!(says(&drawing, "no ring; order: 1, 2, 3"));
+        let label = |text: &str| drawing.labels.iter().any(|label| label.text.contains(text));
+        assert!(label("A\u{a0}hides\u{a0}C") && !label("C\u{a0}hides\u{a0}A"));
     }
 
     /// Painted one over the other, the pieces show at every place the stick that a ray finds nearest.
     #[test]
     fn the_painted_pieces_are_what_is_seen() {
-        let sticks = sticks(SLOPE);
+        let sticks = usual();
         let pieces = order_by_cutting(&sticks, EYE);
         assert_eq!(pieces.len(), 4);
         let mut seen = [0; 3];
@@ -260,7 +407,7 @@ mod tests {
     /// Three sticks have twelve sides; the cut adds two halves of two sides, and one line seen from both pieces.
     #[test]
     fn only_the_second_panel_shows_the_cut() {
-        let drawing = drawn(|sheet| draw(sheet, &sticks(SLOPE)));
+        let drawing = drawn(|sheet| draw(sheet, &usual(), 0));
         let cuts = drawing.items.iter().filter(|item| match item {
             Item::Shape {
                 stroke: Some(pen), ..
@@ -281,8 +428,8 @@ mod tests {
 
     #[test]
     fn both_panels_are_painted_in_the_order_of_the_pieces() {
-        let sticks = sticks(SLOPE);
-        let drawing = drawn(|sheet| draw(sheet, &sticks));
+        let sticks = usual();
+        let drawing = drawn(|sheet| draw(sheet, &sticks, 0));
         let ink = |i: usize| Ink::of(PRIMITIVES[i].1).tint(AREA);
         let painted: Vec<Ink> = fills(&drawing).into_iter().map(|(ink, _)| ink).collect();
         let pieces = order_by_cutting(&sticks, EYE);

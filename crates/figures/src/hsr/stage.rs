@@ -4,6 +4,8 @@
 //! ends, as wide as the view is there: a sight line that leaves the plan at the top enters the picture in the column
 //! that it belongs to.
 
+use ombra_clip::Window;
+use ombra_clip::sutherland_hodgman::clip_polygon;
 use ombra_hsr::polygon::Polygon;
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 
@@ -38,7 +40,7 @@ pub(super) struct Stage {
 
 impl Stage {
     /// How many times as high as wide a panel is that it fills.
-    pub(super) const TALLEST: f64 = 1.75;
+    pub(super) const TALLEST: f64 = 1.7;
 
     /// As large as it fits into `panel`.
     pub(super) fn fit(panel: Rect) -> Stage {
@@ -68,10 +70,31 @@ impl Stage {
         self.eye + self.scale * DVec2::new(p.x, p.z)
     }
 
+    /// The corners of a polygon in the picture, cut off at its frame.
+    pub(super) fn contour(&self, polygon: &Polygon) -> Vec<DVec2> {
+        let seen: Vec<DVec2> = polygon.vertices.iter().map(|&p| self.seen(p)).collect();
+        let Rect { min, max } = self.picture;
+        clip_polygon(&Window { min, max }, &seen)
+    }
+
     /// The outline of a polygon in the picture.
     pub(super) fn outline(&self, polygon: &Polygon) -> Path {
-        let seen: Vec<DVec2> = polygon.vertices.iter().map(|&p| self.seen(p)).collect();
-        Path::polygon(&seen)
+        Path::polygon(&self.contour(polygon))
+    }
+
+    /// Where the plan is.
+    fn plan(&self) -> Rect {
+        let Rect { min, max } = self.picture;
+        Rect::new(
+            DVec2::new(min.x, max.y + GAP),
+            DVec2::new(max.x, self.eye.y),
+        )
+    }
+
+    /// A polygon cut at the height of the eye, from above, from left to right, as far as the plan shows it.
+    pub(super) fn cut(&self, polygon: &Polygon) -> Option<(DVec2, DVec2)> {
+        let [a, b] = section(polygon)?;
+        self.plan().cut(self.above(a), self.above(b))
     }
 
     /// The frame of the picture and the sides of the view.
@@ -96,14 +119,17 @@ impl Stage {
 
     /// A polygon cut at the height of the eye, from above.
     pub(super) fn draw_section(&self, sheet: &mut Sheet, polygon: &Polygon, pen: Pen) {
-        if let Some([a, b]) = section(polygon) {
-            sheet.line(self.above(a), self.above(b), pen);
+        if let Some((a, b)) = self.cut(polygon) {
+            sheet.line(a, b, pen);
         }
     }
 
-    /// A sight line as far as `p`, from above.
+    /// A sight line as far as `p`, from above, if the plan shows it.
     pub(super) fn draw_ray(&self, sheet: &mut Sheet, p: DVec3) {
-        marks::ray(sheet, self.rim(p), self.above(p));
+        let at = self.above(p);
+        if self.plan().grown(1.0).contains(&Rect::new(at, at)) {
+            marks::ray(sheet, self.rim(p), at);
+        }
     }
 
     /// What lies behind a polygon: nothing there is seen.
@@ -112,9 +138,14 @@ impl Stage {
         let far = ends.map(|p| p * (DEPTH / -p.z));
         let [a, b] = ends.map(|p| self.above(p));
         let [far_a, far_b] = far.map(|p| self.above(p));
-        sheet.fill(Path::polygon(&[a, far_a, far_b, b]), Role::Ground);
-        marks::stopped_ray(sheet, a, far_a);
-        marks::stopped_ray(sheet, b, far_b);
+        let Rect { min, max } = self.plan();
+        let area = clip_polygon(&Window { min, max }, &[a, far_a, far_b, b]);
+        sheet.fill(Path::polygon(&area), Role::Ground);
+        for (from, to) in [(a, far_a), (b, far_b)] {
+            if let Some((from, to)) = self.plan().cut(from, to) {
+                marks::stopped_ray(sheet, from, to);
+            }
+        }
     }
 
     /// Where a sight line to `p` leaves the mark of the eye.

@@ -1,9 +1,11 @@
 //! The outline of a solid cut across, face by face.
 
+use core::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use ombra_math::glam::{DVec2, DVec3};
 use ombra_math::mesh::Mesh;
+use ombra_math::predicates::orient_2d;
 
 use crate::path::Rect;
 
@@ -42,6 +44,61 @@ pub(super) fn of_prism(corners: &[DVec2]) -> Chain {
         faces: ends.map(face).collect(),
         closed: true,
     }
+}
+
+/// The corners of a polygon counter-clockwise, if its sides neither cross nor touch but at the corners between two of
+/// them, and it bounds an area. A corner given twice running is one.
+pub(super) fn simple(polygon: &[DVec2]) -> Option<Vec<DVec2>> {
+    let mut corners = polygon.to_vec();
+    corners.dedup();
+    if corners.len() > 1 && corners.first() == corners.last() {
+        corners.pop();
+    }
+    let n = corners.len();
+    if n < 3 {
+        return None;
+    }
+    let ends = corners
+        .iter()
+        .copied()
+        .zip(corners.iter().copied().cycle().skip(1));
+    let sides: Vec<(DVec2, DVec2)> = ends.collect();
+    for (i, &(a, b)) in sides.iter().enumerate() {
+        for (j, &(c, d)) in sides.iter().enumerate().skip(i + 1) {
+            let parted = if j == i + 1 || (i == 0 && j == n - 1) {
+                // Neighbours: they may go on, but not back.
+                let (from, corner, to) = if b == c { (a, b, d) } else { (c, d, b) };
+                side(from, corner, to)? != Ordering::Equal || (corner - from).dot(to - corner) > 0.0
+            } else {
+                !meet([a, b], [c, d])?
+            };
+            if !parted {
+                return None;
+            }
+        }
+    }
+    let area: f64 = sides.iter().map(|(a, b)| a.perp_dot(*b)).sum();
+    if area < 0.0 {
+        corners.reverse();
+    }
+    (area != 0.0).then_some(corners)
+}
+
+/// Whether two segments have a point in common.
+fn meet([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> Option<bool> {
+    let of_first = [side(a, b, c)?, side(a, b, d)?];
+    let of_second = [side(c, d, a)?, side(c, d, b)?];
+    if of_first == [Ordering::Equal; 2] {
+        // On one line: told apart by their boxes.
+        let apart = a.max(b).cmplt(c.min(d)) | c.max(d).cmplt(a.min(b));
+        return Some(!apart.any());
+    }
+    let parts = |[one, other]: [Ordering; 2]| one != other;
+    Some(parts(of_first) && parts(of_second))
+}
+
+fn side(a: DVec2, b: DVec2, p: DVec2) -> Option<Ordering> {
+    orient_2d(a, b, p)
 }
 
 /// Planes to cut an object by, the first that meets it: across z, x, y. The axis, and what points right and up.
