@@ -17,7 +17,7 @@ use crate::marks;
 use crate::object::NamedMesh;
 use crate::path::{Path, Rect};
 use crate::section::Section;
-use crate::sheet::{Align, Label, Sheet};
+use crate::sheet::{Label, Sheet};
 use crate::style::Language;
 use crate::text::LABEL;
 use crate::words::{Word, words};
@@ -277,7 +277,8 @@ impl Texts {
     /// What a text beyond `tip` covers: it begins there and lies in front of the line across `along`.
     fn place(sheet: &Sheet, tip: DVec2, along: DVec2, markup: &str) -> Result<Rect, FigureError> {
         let line = sheet.lay_out(markup, LABEL)?;
-        let half = DVec2::new(0.5 * line.width, 0.5 * (line.ascent + line.descent));
+        // Accents rise and tails hang: all of them count.
+        let half = 0.5 * line.bounds(DVec2::ZERO).size();
         let along = along.normalize_or_zero();
         let aside = (along * STEEP).clamp(DVec2::NEG_ONE, DVec2::ONE);
         let centre = tip + along * OFF + aside * half;
@@ -288,13 +289,9 @@ impl Texts {
         let place = Texts::place(sheet, label.anchor, label.towards, &label.markup)?;
         let is_free = self.boxes.iter().all(|other| !other.meets(&place));
         if is_free && self.frame.grown(HAIR).contains(&place) {
-            let bounds = sheet.text(
-                place.centre(),
-                Align::Centre,
-                &label.markup,
-                LABEL,
-                label.ink,
-            )?;
+            let line = sheet.lay_out(&label.markup, LABEL)?;
+            let start = place.min - line.bounds(DVec2::ZERO).min;
+            let bounds = sheet.set_at(line, start, label.ink);
             self.boxes.push(bounds.grown(6.0));
         } else {
             sheet.label(Label {
@@ -316,12 +313,17 @@ const HAIR: f64 = 0.01;
 const AROUND_EYE: f64 = 30.0;
 const RIM: f64 = 38.0;
 
+/// Where texts may stand: within the frame, whatever rounding does.
+fn inner(sheet: &Sheet) -> Rect {
+    sheet.frame().grown(-1.0)
+}
+
 /// The section as large as it fits with what is said beyond its normals.
 fn fitted(sheet: &Sheet, solid: &Solid, said: &[(&Face, String)]) -> Result<Section, FigureError> {
     let mut points = vec![solid.eye];
     points.extend(solid.faces().flat_map(|face| face.ends));
     points.extend(said.iter().flat_map(|(face, _)| solid.tips(face)));
-    let frame = sheet.frame();
+    let frame = inner(sheet);
     let mut room = frame.grown(-AROUND_EYE);
     let mut section = Section::fit(&points, room)?;
     // What is written keeps its size while the rest shrinks, so that a few rounds find a balance.
@@ -403,7 +405,7 @@ fn draw(sheet: &mut Sheet, solid: &Solid) -> Result<(), FigureError> {
     }
     let mut texts = Texts {
         boxes: vec![Rect::new(eye, eye).grown(AROUND_EYE)],
-        frame: sheet.frame(),
+        frame: inner(sheet),
     };
     for (face, words) in said {
         let at = section.at(face.middle());
@@ -679,7 +681,16 @@ mod tests {
                         label.text
                     );
                 }
-                assert_eq!(count, 6, "{language} {width}");
+                let all: Vec<&str> = drawing
+                    .labels
+                    .iter()
+                    .map(|label| label.text.as_str())
+                    .collect();
+                assert_eq!(
+                    count, 6,
+                    "{language} {width}: {all:?}, over: {:?}",
+                    drawing.over
+                );
             }
         }
     }
