@@ -2,6 +2,8 @@
 //!
 //! Each side is a line or plane with an inside. A segment that starts beyond it enters there, one that ends beyond it
 //! leaves there; what remains runs from the latest entry to the earliest exit.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/cyrus-beck.svg"))]
 #![doc(alias = "convex clipping")]
 
 use core::cmp::Ordering;

@@ -3,6 +3,8 @@
 //! Behind the eye w is negative, and the division would turn what lies there in front of it. Clipped as homogeneous
 //! points, segments and polygons may reach behind the eye or to infinity; what remains has w > 0. Attributes are
 //! linear here, before the division, and no longer afterwards.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/w-zero.svg"))]
 #![doc(alias = "clip space")]
 #![doc(alias = "view frustum")]
 #![doc(alias = "canonical view volume")]

@@ -3,6 +3,8 @@
 //! Beyond the lecture. The window is what two strips have in common. A segment is inside from the latest of its
 //! entries to the earliest of its exits; nothing is left of it where an exit comes first. So at most two
 //! intersections are computed.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/liang-barsky.svg"))]
 #![doc(alias = "parametric clipping")]
 
 use core::cmp::Ordering;

@@ -13,7 +13,7 @@ use ombra_math::glam::{DVec2, DVec3, DVec4, IVec2};
 use ombra_math::plane::Plane;
 
 use crate::error::FigureError;
-use crate::number::{as_typed, coordinates, exact};
+use crate::number::{as_typed, inline};
 use crate::object::{NamedMesh, SOLIDS};
 use crate::style::Language;
 use crate::words::Word;
@@ -448,25 +448,25 @@ fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
 }
 
 impl Value {
-    /// As a caption says it, with exact fractions.
+    /// As a caption says it, with fractions in one line.
     fn said(&self) -> String {
-        let pair = |p: DVec2| format!("({}, {})", exact(p.x), exact(p.y));
+        let pair = |p: DVec2| format!("({}, {})", inline(p.x), inline(p.y));
         match self {
-            Value::Number(x) => exact(*x),
-            Value::Whole(n) => exact(f64::from(*n)),
+            Value::Number(x) => inline(*x),
+            Value::Whole(n) => inline(f64::from(*n)),
             Value::Point(p) => pair(*p),
             Value::Pixel(p) => pair(p.as_dvec2()),
-            Value::Place(p) => coordinates(*p),
+            Value::Place(p) => format!("({}, {}, {})", inline(p.x), inline(p.y), inline(p.z)),
             Value::Polygon(polygon) => {
                 let corners: Vec<String> = polygon.iter().map(|&p| pair(p)).collect();
                 corners.join(" ")
             }
             Value::Light(light) => {
-                let numbers = light.to_array().map(exact);
+                let numbers = light.to_array().map(inline);
                 format!("({})", numbers.join(", "))
             }
             Value::Plane(plane) => {
-                let numbers = plane.coefficients().to_array().map(exact);
+                let numbers = plane.coefficients().to_array().map(inline);
                 format!("({})", numbers.join(", "))
             }
             Value::Object(mesh) => crate::text::escape(&mesh.name),

@@ -133,7 +133,13 @@ impl Plan<'_> {
             if zoom <= least {
                 break;
             }
-            zoom = (zoom * SMALLER).max(least);
+            // The usual size is one of those that are tried.
+            let smaller = (zoom * SMALLER).max(least);
+            zoom = if zoom > 1.0 {
+                smaller.max(1.0)
+            } else {
+                smaller
+            };
         }
         if let Some((_, settled)) = best {
             return Ok(settled);

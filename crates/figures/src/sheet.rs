@@ -332,6 +332,10 @@ impl Sheet {
     /// A laid-out line whose baseline starts at `at`.
     pub(crate) fn set_at(&mut self, line: Line, at: DVec2, ink: Ink) -> Rect {
         let bounds = line.bounds(at);
+        // An empty cell of a table is no text.
+        if line.runs.is_empty() {
+            return bounds;
+        }
         let steps = self.now;
         self.fixed.push(Fixed {
             steps,

@@ -70,6 +70,8 @@ macro_rules! words {
         )*
 
         /// All words of this file.
+        // Words of inputs alone are tested with the inputs.
+        #[allow(dead_code)]
         pub const WORDS: &[$crate::words::Word] = &[
             $($crate::words::Word { $($language: Some($text),)* ..$crate::words::Word::english($en) },)*
         ];

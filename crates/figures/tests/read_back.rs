@@ -7,7 +7,8 @@ use lopdf::content::Content;
 use lopdf::{Document, Object};
 use ombra_figures::course::figures;
 use ombra_figures::drawing::{Drawing, Item};
-use ombra_figures::figure::{Figure, Inputs};
+use ombra_figures::figure::Figure;
+use ombra_figures::input::Inputs;
 use ombra_figures::style::{Size, Style, TextForm, Theme};
 use ombra_figures::{pdf, png, svg};
 use resvg::tiny_skia::{Pixmap, Transform};
@@ -115,7 +116,7 @@ fn every_pdf_is_one_page_of_the_drawings_size_with_its_operators_in_pairs() {
         // 3/4 of 480 × 270.
         assert_eq!(size, [0.0, 0.0, 360.0, 202.5]);
 
-        let content = document.get_page_content(page).unwrap();
+        let content = document.get_page_content(page);
         let operations = Content::decode(&content).unwrap().operations;
         let count = |names: &[&str]| {
             let known = |o: &&lopdf::content::Operation| names.contains(&o.operator.as_str());

@@ -3,6 +3,8 @@
 //! A triangle A, B, C runs counter-clockwise as seen from its front. A component of its normal decides whether
 //! a face is seen or lit, so each one has the exact sign: what rounding could have spoilt is summed again by
 //! [`crate::exact`].
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/barycentric-weights.svg"))]
 
 use crate::exact::Sum;
 use crate::scaling::{common, normalised};

@@ -3,6 +3,8 @@
 //! A pixel's centre is a mixture of the corners, by its barycentric weights; an attribute that is linear on the
 //! screen is the same mixture of the corners' values. One that is linear in space is not, under perspective: the
 //! weights must be divided by each corner's w first. That correction is in no deck.
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../figures/perspective-correct.svg"))]
 #![doc(alias = "interpolation")]
 #![doc(alias = "varying")]
 

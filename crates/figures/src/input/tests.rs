@@ -137,7 +137,7 @@ fn what_is_typed_is_read_back_and_the_default_is_no_change() {
     assert_eq!(moved.typed(), "a=0.25,-3 side=4");
     // What has no symbol is not said.
     let said = moved.said(&[A.input, SIDE.input]).unwrap();
-    assert_eq!(said, format!("*A* = ({}, {}).", exact(0.25), exact(-3.0)));
+    assert_eq!(said, format!("*A* = ({}, {}).", inline(0.25), inline(-3.0)));
     assert!(
         moved
             .clone()

@@ -111,6 +111,15 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     // Beside the picture, or below it on a sheet that is higher than wide.
     let frame = sheet.frame();
     let size = equation.size(sheet)?;
+    if size.x > frame.size().x || size.y > 0.7 * frame.size().y {
+        return Err(FigureError::Scene {
+            reason: format!(
+                "the matrix of the light {} and the plane {} has numbers too long to be written beside the cube",
+                as_typed(&light.to_array()),
+                as_typed(&plane.coefficients().to_array())
+            ),
+        });
+    }
     let aside = frame.size().x - size.x > frame.size().y - size.y;
     let mut left = frame;
     let corner = if aside {

@@ -66,6 +66,8 @@ struct Put {
     bounds: Rect,
     smallest: f64,
     plain: String,
+    /// Whether a rim of paper may run around it.
+    rimmed: bool,
     item: Item,
 }
 
@@ -127,6 +129,7 @@ impl Sheet {
                 bounds: place.bounds,
                 smallest: wanted.line.smallest(),
                 plain: wanted.line.plain.clone(),
+                rimmed: true,
                 item: Item::Text {
                     line: wanted.line,
                     at: place.at,
@@ -163,7 +166,7 @@ impl Sheet {
         for put in texts {
             let mut item = put.item;
             if let Item::Text { halo, .. } = &mut item {
-                *halo = !paperless && under.disturbs(&put.bounds);
+                *halo = put.rimmed && !paperless && under.disturbs(&put.bounds);
             }
             items.push(item);
             labels.push(LabelBox {
@@ -216,6 +219,7 @@ impl Sheet {
                     bounds,
                     smallest,
                     plain,
+                    rimmed: false,
                     item,
                 });
             } else {

@@ -4,6 +4,8 @@
 //! through light and vertex, P = (π·L) V − (π·V) L lies on the plane, for π·P = 0; the matrix is the same formula.
 #![cfg_attr(doc, doc = "")]
 #![cfg_attr(doc, doc = include_str!("../../figures/planar-any-plane.svg"))]
+#![cfg_attr(doc, doc = "")]
+#![cfg_attr(doc, doc = include_str!("../../figures/shadow-matrix.svg"))]
 
 mod fast;
 
