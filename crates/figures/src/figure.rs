@@ -6,6 +6,7 @@ use crate::input::{Input, Inputs};
 use crate::room::{Plan, Settled};
 use crate::sheet::Sheet;
 use crate::style::{Language, Style};
+use crate::text::{LABEL, Line};
 use crate::words::Word;
 
 /// What a figure can be given.
@@ -70,9 +71,10 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// One line for lists on what `inputs` let it show.
+    /// One line for lists on what `inputs` let it show, without markup.
     pub fn summary(&self, inputs: &Inputs, language: Language) -> String {
-        (self.about)(inputs, language).summary
+        let summary = (self.about)(inputs, language).summary;
+        Line::new(&summary, LABEL).map_or(summary, |line| line.plain)
     }
 
     /// A few sentences on it, set below the figure where the style asks for a caption; what differs from the lecture's
@@ -126,10 +128,9 @@ impl Figure {
     }
 
     fn settled(&self, style: &Style, inputs: &Inputs) -> Result<Settled, FigureError> {
-        let about = (self.about)(inputs, style.language);
         let plan = Plan {
             id: self.id,
-            title: &about.summary,
+            title: &self.summary(inputs, style.language),
             caption: &self.caption(inputs, style.language),
             style,
             step: inputs.step,

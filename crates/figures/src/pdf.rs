@@ -3,17 +3,19 @@
 //! Letters are outlines, as in the SVG. Nothing in the file tells when or where it was made: the same drawing gives the
 //! same bytes.
 
+use core::cmp::Ordering;
+
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use ombra_math::glam::DVec2;
 use pdf_writer::types::{ColorSpaceOperand, FunctionShadingType, LineCapStyle, LineJoinStyle};
 use pdf_writer::types::{MaskType, ProcSet};
 use pdf_writer::{Content, Filter, Finish as _, Name, Pdf, Rect as Box, Ref, TextStr};
 
-use crate::colour::{Ink, Role};
+use crate::colour::{Ink, Palette, Role};
 use crate::drawing::{Drawing, FillRule, HALO, Item, Paint, Pen, Picture};
 use crate::error::FigureError;
 use crate::path::{Path, Rect, Segment};
-use crate::style::{Background, Theme};
+use crate::style::Background;
 use crate::svg::{LICENCE, LICENCE_URL};
 
 /// Points of a pixel: 96 pixels and 72 points are an inch.
@@ -39,7 +41,7 @@ pub fn pdf(drawing: &Drawing) -> Result<Vec<u8>, FigureError> {
     let mut writer = Writer {
         pdf: Pdf::new(),
         content: Content::new(),
-        theme: style.theme,
+        palette: style.palette(),
         canvas: drawing.canvas,
         // The page's y axis points up.
         matrix: [scale, 0.0, 0.0, -scale, 0.0, page.y].map(|x| x as f32),
@@ -53,7 +55,7 @@ pub fn pdf(drawing: &Drawing) -> Result<Vec<u8>, FigureError> {
     content.transform(writer.matrix);
     content.set_line_cap(LineCapStyle::RoundCap);
     content.set_line_join(LineJoinStyle::RoundJoin);
-    if style.background == Background::Theme {
+    if style.background != Background::Transparent {
         let paper = Path::polygon(&[
             DVec2::ZERO,
             DVec2::new(drawing.canvas.x, 0.0),
@@ -71,7 +73,7 @@ pub fn pdf(drawing: &Drawing) -> Result<Vec<u8>, FigureError> {
 struct Writer {
     pdf: Pdf,
     content: Content,
-    theme: Theme,
+    palette: Palette,
     canvas: DVec2,
     /// From the canvas to the page.
     matrix: [f32; 6],
@@ -107,7 +109,9 @@ impl<'a> Along<'a> {
                 Err(first(stops))
             }
             Paint::Linear { from, to, stops } if from == to => Err(first(stops)),
-            Paint::Radial { radius, stops, .. } if !(*radius > 0.0) => Err(first(stops)),
+            Paint::Radial { radius, stops, .. } if radius.is_nan() || *radius <= 0.0 => {
+                Err(first(stops))
+            }
             Paint::Linear { from, to, stops } => Ok(Along {
                 kind: FunctionShadingType::Axial,
                 coordinates: single(&[from.x, from.y, to.x, to.y]),
@@ -133,7 +137,7 @@ impl Writer {
     }
 
     fn rgb(&self, ink: Ink) -> [f32; 3] {
-        let rgb = ink.rgb(self.theme);
+        let rgb = ink.rgb(self.palette);
         [16, 8, 0].map(|shift| (rgb >> shift & 255) as f32 / 255.0)
     }
 
@@ -331,7 +335,7 @@ impl Writer {
                 continue;
             };
             // A jump has no length: its stops bound the parts beside it.
-            if !(end > start) {
+            if start.partial_cmp(&end) != Some(Ordering::Less) {
                 continue;
             }
             if !parts.is_empty() {

@@ -1,6 +1,8 @@
 //! The notes hold the results of the last full run: what is drawn and advised there comes from their tables, every chart
 //! is shown, and every study has one.
 
+#![allow(clippy::unwrap_used, clippy::panic)]
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

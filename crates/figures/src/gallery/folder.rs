@@ -90,15 +90,15 @@ pub fn lectures() -> Vec<&'static str> {
 
 /// With its title and command: from the SVG where it is there, else from the name.
 fn about(folder: &Path, named: Named, formats: Vec<Format>) -> Shown {
-    let front = formats
-        .contains(&Format::Svg)
-        .then(|| front(&folder.join(format!("{}.svg", named.stem()))))
-        .unwrap_or_default();
+    let front = if formats.contains(&Format::Svg) {
+        front(&folder.join(format!("{}.svg", named.stem())))
+    } else {
+        String::new()
+    };
     let title = between(&front, "<title>", "</title>").unwrap_or_else(|| {
-        let summary = named
+        named
             .figure
-            .summary(&Inputs::default(), named.style.language);
-        summary.to_owned()
+            .summary(&Inputs::default(), named.style.language)
     });
     let command = between(&front, "<metadata>", "</metadata>")
         .and_then(|text| Some(text.split_once(MADE_BY)?.1.to_owned()))

@@ -113,6 +113,16 @@ impl Settings {
         let Some((name, value)) = self.texts.iter().find(|(name, _)| !has(name)) else {
             return Ok(());
         };
+        // These have options of their own.
+        if let "light" | "plane" | "mesh" = name.as_str() {
+            let ids: Vec<&str> = figures.iter().map(|figure| figure.id).collect();
+            return Err(FigureError::Scene {
+                reason: format!(
+                    "--{name} moves nothing in {}: 'ombra list' says which figures take it",
+                    ids.join(", ")
+                ),
+            });
+        }
         let mut names: Vec<&str> = figures
             .iter()
             .flat_map(|figure| figure.takes.inputs())

@@ -191,7 +191,7 @@ impl Setting {
         let along = self.towards_light(v);
         let steep = along.dot(axis);
         // Never level with what it crosses: the light is more than four radii away.
-        if !(steep > 0.0) {
+        if steep.is_nan() || steep <= 0.0 {
             return;
         }
         let broken = v + along * ((BREAK[0] * self.reach - from) / steep);
