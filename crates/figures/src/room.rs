@@ -271,3 +271,159 @@ impl Sheet {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::Item;
+    use crate::path::Rect;
+    use crate::sheet::Label;
+    use crate::style::Size;
+
+    /// `count` labels that all stand beside one point, each with so many words.
+    fn crowd(style: &Style, count: usize, words: usize) -> Drawing {
+        let plan = Plan {
+            id: "a/b",
+            title: "",
+            caption: "A caption.",
+            style,
+            step: 0,
+        };
+        let draw = |sheet: &mut Sheet| {
+            let at = sheet.frame().centre();
+            for i in 0..count {
+                let words = format!("label {i} {}", "and more ".repeat(words));
+                sheet.label(Label::new(at, words.trim()));
+            }
+            Ok(())
+        };
+        plan.settled(draw).unwrap().drawing
+    }
+
+    fn texts(drawing: &Drawing) -> Vec<&str> {
+        let labels = drawing.labels.iter();
+        labels.map(|label| label.text.as_str()).collect()
+    }
+
+    fn smallest(drawing: &Drawing) -> f64 {
+        let sizes = drawing.labels.iter().map(|label| label.smallest);
+        sizes.fold(f64::INFINITY, f64::min)
+    }
+
+    fn check_apart(drawing: &Drawing) {
+        let canvas = Rect::new(DVec2::ZERO, drawing.canvas);
+        for (i, label) in drawing.labels.iter().enumerate() {
+            assert!(canvas.contains(&label.bounds), "{}", label.text);
+            let meets =
+                |other: &&crate::drawing::LabelBox| label.bounds.grown(-0.02).meets(&other.bounds);
+            assert!(
+                !drawing.labels[..i].iter().any(|other| meets(&other)),
+                "{}",
+                label.text
+            );
+        }
+    }
+
+    #[test]
+    fn where_there_is_room_letters_keep_their_size() {
+        let drawing = crowd(&Style::default(), 2, 1);
+        assert_eq!(smallest(&drawing), LABEL);
+        assert!(drawing.over.is_empty());
+    }
+
+    #[test]
+    fn then_letters_get_smaller_and_never_below_the_smallest() {
+        let sizes: Vec<f64> = (2..40)
+            .map(|count| smallest(&crowd(&Style::default(), count, 1)))
+            .collect();
+        assert!(sizes.iter().any(|&size| size < LABEL && size > SMALLEST));
+        assert!(sizes.iter().all(|&size| size >= SMALLEST - 1e-9));
+    }
+
+    #[test]
+    fn then_numbers_stand_for_labels_and_a_list_says_what_they_mean() {
+        let drawing = crowd(&Style::default(), 12, 4);
+        check_apart(&drawing);
+        assert!(drawing.over.is_empty(), "{:?}", drawing.over);
+        let said = texts(&drawing).join(" ");
+        // Every label is said, in its place or in the list, and every number of the list stands in the picture.
+        for i in 0..12 {
+            assert!(said.contains(&format!("label {i} and")), "{i}: {said}");
+        }
+        let keys: Vec<&str> = texts(&drawing)
+            .into_iter()
+            .filter(|text| text.len() <= 4 && text.starts_with('['))
+            .collect();
+        assert!(!keys.is_empty());
+        for key in keys {
+            assert_eq!(said.matches(key).count(), 2, "{key}: {said}");
+        }
+    }
+
+    #[test]
+    fn what_is_still_over_is_spelled_out_and_nothing_is_lost() {
+        for caption in [false, true] {
+            let size = Size::new(360, 240).unwrap();
+            let style = Style {
+                size,
+                caption,
+                ..Style::default()
+            };
+            let drawing = crowd(&style, 60, 6);
+            check_apart(&drawing);
+            assert!(!drawing.over.is_empty());
+            let said = format!("{} {}", texts(&drawing).join(" "), drawing.over.join(" "));
+            for i in 0..60 {
+                assert!(said.contains(&format!("label {i} and")), "{i}");
+            }
+            let svg = crate::svg::svg(&drawing).unwrap();
+            assert!(svg.contains("<desc>") && svg.contains(&drawing.over[0]));
+        }
+    }
+
+    #[test]
+    fn lines_keep_their_width_however_small_letters_get() {
+        let plan = |words: usize| {
+            let style = Style::default();
+            let plan = Plan {
+                id: "a/b",
+                title: "",
+                caption: "",
+                style: &style,
+                step: 0,
+            };
+            plan.settled(|sheet| {
+                let frame = sheet.frame();
+                sheet.line(frame.min, frame.max, Pen::new(Role::Text, THIN));
+                for _ in 0..words {
+                    sheet.label(
+                        Label::new(frame.centre(), "some words to be placed").towards(DVec2::X),
+                    );
+                }
+                Ok(())
+            })
+            .unwrap()
+            .drawing
+        };
+        for words in [1, 30] {
+            let drawing = plan(words);
+            let Some(Item::Shape {
+                path,
+                stroke: Some(pen),
+                ..
+            }) = drawing.items.first()
+            else {
+                panic!("no line")
+            };
+            assert_eq!(pen.width, THIN);
+            // The margin is the same, too, to a hundredth.
+            let start = path.points().next().unwrap();
+            assert!(
+                (start - DVec2::splat(crate::drawing::MARGIN))
+                    .abs()
+                    .max_element()
+                    < 0.011
+            );
+        }
+    }
+}

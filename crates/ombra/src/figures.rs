@@ -63,7 +63,7 @@ pub struct Options {
     caption: bool,
     /// Folder to write into
     #[arg(long, default_value = "target/figures", value_name = "DIR")]
-    out: PathBuf,
+    pub(crate) out: PathBuf,
     /// Rewrites the small SVGs committed with the crates and the notes; run from the repository's root
     #[arg(long, conflicts_with_all = ["select", "format", "size", "theme", "lang", "background", "text_scale", "set", "light", "plane", "mesh", "fit", "steps", "text", "caption", "out"])]
     docs: bool,

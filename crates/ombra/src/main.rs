@@ -75,7 +75,6 @@ mod tests {
             ("figures --theme pink", &["'pink'", "light, dark"]),
             ("figures --format svg,jpg", &["'jpg'", "svg, png, pdf"]),
             ("trade --lang eng", &["'eng'", "--lang", "en, it, cs, hr"]),
-            ("list raster", &["'raster'", "ombra list"]),
             (
                 "figures --size",
                 &["--size <WIDTHxHEIGHT>", "value is required"],
@@ -83,18 +82,6 @@ mod tests {
             (
                 "figures --size 63x64",
                 &["'63x64'", "it is WIDTHxHEIGHT in pixels", "16384"],
-            ),
-            (
-                "figures --light 0,0,0,0",
-                &["'0,0,0,0'", "--light", "it is four finite numbers"],
-            ),
-            (
-                "figures --plane 1,2",
-                &["'1,2'", "--plane", "it is four finite numbers"],
-            ),
-            (
-                "figures --mesh dragon",
-                &["'dragon'", "--mesh", "cube, teapot, sphere, torus"],
             ),
             (
                 "trade planar",
@@ -115,6 +102,55 @@ mod tests {
             for part in parts {
                 assert!(said.contains(part), "{words}: {part} is not in {said}");
             }
+        }
+    }
+
+    /// What is told before anything is written.
+    #[test]
+    fn a_wrong_value_of_an_input_is_named_with_what_is_allowed() {
+        let out = std::env::temp_dir().join("ombra-nothing-is-written-here");
+        for (words, parts) in [
+            (
+                "--light 0,0,0,0",
+                &["light", "'0,0,0,0'", "four finite numbers"][..],
+            ),
+            ("--plane 1,2", &["plane", "'1,2'", "four finite numbers"]),
+            (
+                "--mesh dragon",
+                &["--mesh dragon", "cube, teapot, sphere, torus"],
+            ),
+            (
+                "shadows/why --light 1,2,3,0",
+                &["--light", "shadows/why", "ombra list"],
+            ),
+            (
+                "shadows/why --set height=9",
+                &["height", "'9'", "from 0.2 to 4"],
+            ),
+            ("shadows/why --set depth=9", &["'depth=9'", "height"]),
+            ("shadows/why --set height", &["'height'", "NAME=VALUE"]),
+            (
+                "--light 1,2,3,0 --set light=1,2,3,1",
+                &["light", "given once"],
+            ),
+            ("shadows/whi", &["'shadows/whi'", "nearest", "shadows/why"]),
+            ("shadows/why --set step=9", &["step", "'9'", "to 3"]),
+        ] {
+            let typed = ["ombra", "figures"]
+                .into_iter()
+                .chain(words.split_whitespace());
+            let Ok(Arguments {
+                command: Command::Figures(mut options),
+            }) = Arguments::try_parse_from(typed)
+            else {
+                panic!("{words}")
+            };
+            options.out.clone_from(&out);
+            let said = figures::run(&options).unwrap_err();
+            for part in parts {
+                assert!(said.contains(part), "{words}: {part} is not in {said}");
+            }
+            assert!(!out.exists(), "{words}");
         }
     }
 

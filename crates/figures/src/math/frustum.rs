@@ -10,7 +10,7 @@ use crate::error::FigureError;
 use crate::figure::{About, Figure, Takes};
 use crate::input::{Ask, Inputs};
 use crate::marks;
-use crate::number::exact;
+use crate::number::{coordinates, exact};
 use crate::panels::panels;
 use crate::path::{Path, Rect};
 use crate::sheet::{Label, Sheet};
@@ -166,9 +166,9 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
         );
     }
     picture.draw(sheet, 0.95 * size);
-    let sides = ["*l*", "*r*", "*b*", "*t*"].map(str::to_owned);
-    let depths = ["−*n*", "−2*fn* / (*f* + *n*)", "−*f*"].map(str::to_owned);
-    picture.name(sheet, &sides, &depths);
+    let corners = ["(*l*, *b*, −*n*)", "(*r*, *t*, −*n*)"].map(str::to_owned);
+    let depths = ["−2*fn* / (*f* + *n*)", "−*f*"].map(str::to_owned);
+    picture.name(sheet, &corners, &depths);
     if let (Some(eye), Some(ahead)) = (picture.at(DVec3::ZERO), picture.at(DVec3::NEG_Z)) {
         // The axes begin around the eye.
         sheet.fill(Path::circle(eye, 33.0), Role::Paper);
@@ -180,12 +180,10 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs) -> Result<(), FigureError> {
     let picture = Picture::new(after, cube_stage, cube, 0.0, 125.0)?;
     picture.draw(sheet, 0.7);
     let [near, middle, far] = cube;
-    let [low, .., high] = [near[0], near[2]];
-    let sides = [("x", low.x), ("x", high.x), ("y", low.y), ("y", high.y)];
     picture.name(
         sheet,
-        &sides.map(|(axis, value)| format!("*{axis}* = {}", exact(value))),
-        &[near[0].z, middle[0].z, far[0].z].map(exact),
+        &[near[0], near[2]].map(coordinates),
+        &[middle[0].z, far[0].z].map(exact),
     );
     Ok(())
 }
@@ -256,30 +254,20 @@ impl Picture {
         fill(sheet, &near, Ink::of(Role::Occluder).alpha(0.22), &outline);
     }
 
-    /// Left, right, bottom and top of the near section; z of each section.
-    fn name(&self, sheet: &mut Sheet, sides: &[String; 4], depths: &[String; 3]) {
+    /// The lower left and the upper right corner of the near section; z of the others.
+    fn name(&self, sheet: &mut Sheet, corners: &[String; 2], depths: &[String; 2]) {
         let [near, middle, far] = self.sections;
-        let edges = [(0, 3), (1, 2), (0, 1), (2, 3)];
-        let centre = near.iter().sum::<DVec3>() / 4.0;
-        for ((i, j), name) in edges.into_iter().zip(sides) {
-            let edge = (near[i] + near[j]) * 0.5;
-            if let (Some(at), Some(centre)) = (self.at(edge), self.at(centre)) {
-                let label = Label::new(at, name).towards(at - centre);
-                sheet.label(label.reach(4.0).beside());
-            }
-        }
-        let places = [
-            (near[1], DVec2::Y, Role::Occluder),
-            (middle[3], DVec2::NEG_Y, Role::Chosen),
-            (far[1], DVec2::Y, Role::Occluder),
-        ];
-        for ((p, towards, role), z) in places.into_iter().zip(depths) {
+        let z = |z: &String| format!("*z* = {z}");
+        let [low, high] = corners.clone();
+        let [between, beyond] = depths.each_ref().map(z);
+        for (p, towards, role, name) in [
+            (near[0], DVec2::new(-1.0, 1.0), Role::Occluder, low),
+            (near[2], DVec2::NEG_Y, Role::Occluder, high),
+            (middle[3], DVec2::NEG_Y, Role::Chosen, between),
+            (far[1], DVec2::Y, Role::Occluder, beyond),
+        ] {
             if let Some(at) = self.at(p) {
-                sheet.label(
-                    Label::new(at, format!("*z* = {z}"))
-                        .towards(towards)
-                        .ink(role),
-                );
+                sheet.label(Label::new(at, name).towards(towards).ink(role));
             }
         }
     }
