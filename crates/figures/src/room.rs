@@ -409,7 +409,7 @@ mod tests {
         };
         for words in [1, 12] {
             let drawing = plan(words);
-            let lines = drawing.items.iter().filter_map(|item| match item {
+            let mut lines = drawing.items.iter().rev().filter_map(|item| match item {
                 Item::Shape {
                     path,
                     stroke: Some(pen),
@@ -417,7 +417,7 @@ mod tests {
                 } if pen.paint == Role::Text.into() => Some((path, pen)),
                 _ => None,
             });
-            let (path, pen) = lines.last().unwrap();
+            let (path, pen) = lines.next().unwrap();
             assert_eq!(pen.width, THIN);
             // The margin is the same, too, to a hundredth.
             let start = path.points().next().unwrap();
