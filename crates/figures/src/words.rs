@@ -80,14 +80,6 @@ macro_rules! words {
 pub(crate) use words;
 
 words! {
-    /// Why a figure takes nothing.
-    pub FIXED {
-        en: "it shows the lecture’s own example",
-        it: "mostra l’esempio della lezione",
-        cs: "ukazuje příklad z přednášky",
-        hr: "prikazuje primjer iz predavanja",
-    }
-
     /// An input: the light.
     pub LIGHT {
         en: "the light",

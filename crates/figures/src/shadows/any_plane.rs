@@ -3,6 +3,7 @@
 use ombra_math::glam::{DVec2, DVec3, DVec4};
 use ombra_math::plane::Plane;
 
+use super::cube::{LIGHT as LIGHT_STEP, RAYS, SHADOW};
 use super::setting::{
     ABOVE, OBJECT, Setting, TURN, draw_normal, is_cube, light, of_cut, of_object, on_sheet,
 };
@@ -58,14 +59,18 @@ pub(super) const FIGURE: Figure = Figure {
         } else {
             stage.patch.draw_wall(sheet, view);
         }
+        sheet.step(SHADOW);
         setting.draw_shadow(sheet, &stage);
         setting.draw_edges_in_shadow(sheet, &stage);
+        sheet.step(0);
         if !before {
             mesh(sheet, view, &setting.shown, Role::Occluder)?;
         }
         let sight = Sight::new(view, &setting.shown);
         axes(sheet, view, &sight, stage.patch.axis());
+        sheet.step(RAYS);
         setting.draw_rays(sheet, view, &sight);
+        sheet.step(0);
         let foot = stage.normal_foot(&setting);
         draw_normal(sheet, view, setting.plane, foot, setting.normal_length());
         let words = equation(setting.plane);
@@ -74,11 +79,19 @@ pub(super) const FIGURE: Figure = Figure {
         if let Some((at, out)) = stage.free_edge(&setting, &[foot], size, sheet.frame()) {
             sheet.label(Label::new(at, words).towards(out));
         }
+        sheet.step(LIGHT_STEP);
         setting.draw_light(sheet, view, &sight);
         if let Some(&(_, v, p)) = setting.outermost(view).first() {
-            for (point, name, role) in [(v, "V", Role::Occluder), (p, "P", Role::Shadow)] {
+            for (point, name, role, step) in
+                [(v, "V", Role::Occluder, 0), (p, "P", Role::Shadow, SHADOW)]
+            {
+                sheet.step(step);
                 if let Some(at) = on_sheet(sheet, view, point) {
-                    marks::point(sheet, at, role);
+                    if sight.hides(point) {
+                        marks::hollow_point(sheet, at, role);
+                    } else {
+                        marks::point(sheet, at, role);
+                    }
                     sheet.label(Label::new(at, format!("*{name}* {}", coordinates(point))));
                 }
             }

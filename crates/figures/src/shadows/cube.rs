@@ -131,19 +131,29 @@ fn draw(sheet: &mut Sheet, inputs: &Inputs, light: &Ask<DVec4>) -> Result<(), Fi
     };
     let view = &stage.view;
     stage.patch.draw(sheet, view);
+    sheet.step(SHADOW);
     setting.draw_shadow(sheet, &stage);
     setting.draw_edges_in_shadow(sheet, &stage);
+    sheet.step(0);
     mesh(sheet, view, &setting.shown, Role::Occluder)?;
     let sight = Sight::new(view, &setting.shown);
     setting.draw_drops(sheet, &stage, &sight);
     axes(sheet, view, &sight, stage.patch.axis());
+    sheet.step(RAYS);
     setting.draw_rays(sheet, view, &sight);
+    sheet.step(LIGHT);
     setting.draw_light(sheet, view, &sight);
+    sheet.step(0);
     if setting.has_few() {
         setting.name_points(sheet, view, &sight);
     }
     Ok(())
 }
+
+/// The steps that build the figure up, after the object over the plane.
+pub(super) const LIGHT: usize = 1;
+pub(super) const RAYS: usize = 2;
+pub(super) const SHADOW: usize = 3;
 
 /// The coordinates beside the setting or below it, whichever leaves the setting larger.
 fn stage_beside_table(sheet: &mut Sheet, setting: &Setting) -> Result<Stage, FigureError> {
@@ -158,16 +168,19 @@ fn stage_beside_table(sheet: &mut Sheet, setting: &Setting) -> Result<Stage, Fig
     above.max.y -= below.size().y + SPACE;
     let stages = (setting.stage(left, &[])?, setting.stage(above, &[])?);
 
-    if stages.0.view.scale() >= stages.1.view.scale() {
+    sheet.step(SHADOW);
+    let stage = if stages.0.view.scale() >= stages.1.view.scale() {
         let corner = frame.max - beside.size();
         beside.draw(sheet, corner);
-        Ok(stages.0)
+        stages.0
     } else {
         let start = frame.centre().x - 0.5 * below.size().x;
         let corner = DVec2::new(start, frame.max.y - below.size().y);
         below.draw(sheet, corner);
-        Ok(stages.1)
-    }
+        stages.1
+    };
+    sheet.step(0);
+    Ok(stage)
 }
 
 /// Between the setting and the coordinates.

@@ -42,6 +42,7 @@ pub(super) const FIGURE: Figure = Figure {
         let stage = setting.stage(sheet.frame(), &rim)?;
         let view = &stage.view;
         stage.patch.draw(sheet, view);
+        sheet.step(1);
         setting.draw_shadow(sheet, &stage);
 
         let language = sheet.style().language;
@@ -50,17 +51,20 @@ pub(super) const FIGURE: Figure = Figure {
             .iter()
             .filter_map(|p| on_sheet(sheet, view, (*p)?))
             .collect();
+        sheet.step(2);
         if let Some(rim) = view.contour(&rim) {
             sheet.stroke_unmarked(Path::hatching(&rim, 16.0), Pen::new(Role::Chosen, THIN));
             sheet.stroke(Path::polygon(&rim), Pen::new(Role::Chosen, EMPHASIS));
             let words = SHADOW.text(language);
             name_ellipse(sheet, &rim, &shadow, words);
         }
+        sheet.step(1);
         if let Some(leftmost) = shadow.into_iter().min_by(|a, b| a.x.total_cmp(&b.x)) {
             let label = Label::new(leftmost, TRUE_SHADOW.text(language));
             sheet.label(label.towards(DVec2::NEG_X).ink(Role::Shadow));
         }
 
+        sheet.step(0);
         mesh(sheet, view, &setting.shown, Role::Occluder)?;
         let sight = Sight::new(view, &setting.shown);
         setting.draw_light(sheet, view, &sight);

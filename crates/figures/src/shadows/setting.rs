@@ -7,6 +7,7 @@ use ombra_math::mesh::Mesh;
 use ombra_math::plane::Plane;
 use ombra_shadows::planar::cast;
 
+use super::cube::SHADOW;
 use super::cut::on_lights_side;
 use super::stage::Stage;
 use crate::colour::{Ink, Role};
@@ -214,10 +215,11 @@ impl Setting {
             .filter(|(_, v)| self.shown.positions.contains(v))
             .map(|(i, &v)| (v, format!("*V*_{{{}}}", i + 1)))
             .collect();
-        for (points, role) in [
-            (self.named_shadows(), Role::Shadow),
-            (vertices, Role::Occluder),
+        for (points, role, step) in [
+            (self.named_shadows(), Role::Shadow, SHADOW),
+            (vertices, Role::Occluder, 0),
         ] {
+            sheet.step(step);
             let flat: Vec<(DVec2, bool, String)> = points
                 .into_iter()
                 .filter_map(|(p, name)| Some((on_sheet(sheet, view, p)?, sight.hides(p), name)))

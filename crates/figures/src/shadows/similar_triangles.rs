@@ -218,12 +218,14 @@ impl Proof {
             parts.iter().map(part).collect::<Result<Vec<_>, _>>()?
         };
         let mut bottom = whole.max.y;
+        sheet.step(3);
         for line in lines.into_iter().rev() {
             let start = DVec2::new(whole.centre().x - 0.5 * line.width, bottom - line.descent);
             bottom -= line.ascent + line.descent + 0.3 * LABEL;
             sheet.set_at(line, start, Role::Text.into());
         }
 
+        sheet.step(0);
         let foot = DVec2::new(top.x, 0.0);
         let mut shown = vec![v, p, top, foot];
         let extent = (top - p).abs().max_element();
@@ -254,6 +256,7 @@ impl Proof {
         } else {
             ([p, foot, top], [v, corner, top])
         };
+        sheet.step(2);
         let pale = Ink::of(Role::Light).tint(0.16);
         sheet.fill(Path::polygon(&large.map(at)), pale);
         let hatch = Pen::new(Ink::of(Role::Occluder).tint(0.5), THIN);
@@ -264,22 +267,27 @@ impl Proof {
         if self.at_infinity() {
             side(sheet, v, below);
         }
+        sheet.step(0);
         if origin {
             axes(sheet, &section, 64.0);
         }
 
+        sheet.step(1);
         if self.at_infinity() {
             marks::ray(sheet, at(top), at(v));
         } else {
             marks::ray_from_sun(sheet, at(top), at(v));
         }
         marks::stopped_ray(sheet, at(v), at(p));
+        sheet.step(2);
         self.name_legs(sheet, &section, outwards);
+        sheet.step(0);
         self.draw_light(sheet, at(top), at(v));
-        for (point, name, role, towards) in [
-            (v, "*V*", Role::Occluder, DVec2::new(-outwards.x, -1.0)),
-            (p, "*P*", Role::Shadow, DVec2::new(-outwards.x, -1.0)),
-        ] {
+        let towards = DVec2::new(-outwards.x, -1.0);
+        for (point, name, role, step) in
+            [(v, "*V*", Role::Occluder, 0), (p, "*P*", Role::Shadow, 1)]
+        {
+            sheet.step(step);
             marks::point(sheet, at(point), role);
             let text = format!("{name} ({}, {})", exact(point.x), exact(point.y));
             sheet.label(Label::new(at(point), text).towards(towards));
