@@ -473,9 +473,13 @@ fn steps_build_the_figure_up_in_one_layout() {
         let whole = default(figure);
         let last = figure.steps(&style, &Inputs::default()).unwrap();
         let mut before = 0;
+        let mut seen = Vec::new();
         for step in 1..=last {
             let inputs = Inputs::default().at_step(step);
             let shown = figure.draw(&style, &inputs).unwrap();
+            // Each brings something that the others do not have.
+            assert!(!seen.contains(&shown.items), "{} step {step}", figure.id);
+            seen.push(shown.items.clone());
             assert_eq!(shown.canvas, whole.canvas);
             let of_whole = boxes(&whole);
             let kept: Vec<_> = boxes(&shown)
