@@ -21,6 +21,7 @@ const STROKE: f64 = 9.0;
 const ARROW: [f64; 2] = [1.4, 2.8];
 
 /// How a light is shown.
+#[derive(Clone, Copy)]
 pub(super) enum Sun {
     /// Arrows from it, along the line from their nearer end to their farther one.
     Far([DVec3; 2]),
